@@ -47,16 +47,16 @@ const std::vector<Set>& sets() {
 }
 
 using Lengths = std::vector<double>;
-using Measure = std::function<void(const Set&, Lengths&)>;
+using StartMeasuring = std::function<void(const Set&, Lengths&)>;
 
-Measure by_row(std::string_view name, curve::LengthDemand demand) {
+StartMeasuring by_row(std::string_view name, curve::LengthAccuracy demand) {
   const curve::ArcLengthMethod& row = base::row_of(*base::value_named<curve::ArcLengthId>(name));
   return [&row, demand](const Set& set, Lengths& to) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = row.measure(set.cubics[i], demand).length;
   };
 }
 
-double worst_error(const Set& set, const Measure& measure) {
+double worst_error(const Set& set, const StartMeasuring& measure) {
   Lengths lengths(set.cubics.size());
   measure(set, lengths);
   double worst = 0;
@@ -65,16 +65,17 @@ double worst_error(const Set& set, const Measure& measure) {
   return worst;
 }
 
-double mean_evaluations(const Set& set, std::string_view name, curve::LengthDemand demand) {
+double mean_evaluations(const Set& set, std::string_view name, curve::LengthAccuracy demand) {
   const curve::ArcLengthMethod& row = base::row_of(*base::value_named<curve::ArcLengthId>(name));
   double sum = 0;
   for (const curve::Cubic& c : set.cubics) sum += static_cast<double>(row.measure(c, demand).evaluations);
   return sum / static_cast<double>(set.cubics.size());
 }
 
-void time_it(benchmark::State& state, const Set& set, const Measure& measure, double tolerance, double evaluations) {
-  const curve::LengthDemand demand{64, tolerance};
-  const Measure simpson = by_row("simpson_adaptive", demand);
+void time_it(benchmark::State& state, const Set& set, const StartMeasuring& measure, double tolerance,
+             double evaluations) {
+  const curve::LengthAccuracy demand{64, tolerance};
+  const StartMeasuring simpson = by_row("simpson_adaptive", demand);
   const double most = std::max(evaluations, mean_evaluations(set, "simpson_adaptive", demand));
   Lengths lengths(std::min(set.cubics.size(), static_cast<std::size_t>(kMostEvaluations / most))),
       others(lengths.size());
@@ -95,8 +96,8 @@ std::optional<int> least_count(const Set& set, std::string_view name, double tol
   return std::nullopt;
 }
 
-void add(const Set& set, const std::string& name, const std::string& digits, const Measure& measure, double tolerance,
-         double evaluations) {
+void add(const Set& set, const std::string& name, const std::string& digits, const StartMeasuring& measure,
+         double tolerance, double evaluations) {
   benchmark::RegisterBenchmark(("arc_length/" + set.name + "/" + name + "/1e-" + digits).c_str(),
                                [&set, measure, tolerance, evaluations](benchmark::State& state) {
                                  time_it(state, set, measure, tolerance, evaluations);
@@ -114,7 +115,7 @@ void counted(benchmark::State& state, const Set& set, std::string_view name, dou
     state.SkipWithError("not reached with 4096 intervals");
     return;
   }
-  const curve::LengthDemand demand{*found->second, tolerance};
+  const curve::LengthAccuracy demand{*found->second, tolerance};
   time_it(state, set, by_row(name, demand), tolerance, mean_evaluations(set, name, demand));
 }
 
@@ -126,7 +127,7 @@ const bool registered = [] {
       for (const curve::ArcLengthMethod& row : curve::arc_length_methods()) {
         if (row.control == curve::LengthControl::tolerance) {
           if (row.name == "gravesen_adaptive" && (digits > 6 || set.name != "track")) continue;  // milliseconds
-          const curve::LengthDemand demand{64, tolerance};
+          const curve::LengthAccuracy demand{64, tolerance};
           add(set, std::string(row.name), to, by_row(row.name, demand), tolerance,
               mean_evaluations(set, row.name, demand));
         } else if (row.control == curve::LengthControl::count && set.name == "track") {

@@ -172,7 +172,7 @@ Opening opening_of(const std::string& path) {
   options.headless = true;
   const double before = bench::cpu_seconds();
   auto program = app::make_program(options, {640, 360}, 0);
-  if (!program.ok() || !app::apply(**program, edit::Load{path})) return {};
+  if (!program.ok() || !app::apply(**program, edit::LoadTrack{path})) return {};
   app::run_frame(**program, {platform::Tick{0}}, 0);
   const query::FrameStats& stats = (*program)->stats;
   return {bench::cpu_seconds() - before,

@@ -207,7 +207,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   if (size.width > 0 && size.height > 0) output = build_panels(program, take_input(program, events), size);
   if (output) apply_output(program, *output);
   if (base::interrupted()) return;  // what is derived may be incomplete
-  follow_movie(program, output ? output->movie : ui::MovieWish::none);
+  follow_movie(program, output ? output->movie : ui::MovieRequest::none);
   reach(base::CrashPlace::ticks);
   advance(program, ticks);
   reach(base::CrashPlace::findings);

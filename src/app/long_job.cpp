@@ -19,7 +19,7 @@ namespace coaster::app {
 namespace {
 
 // Texts, each after its length: "5 track12 any bytes\n at".
-class Writer {
+class JobTextWriter {
  public:
   void operator()(std::string_view part) { out_ += fmt::format("{} {}", part.size(), part); }
   template <class Number>
@@ -40,9 +40,9 @@ class Writer {
 };
 
 // Reads them in the same order. After the first error everything is empty.
-class Reader {
+class JobTextReader {
  public:
-  explicit Reader(std::string_view text) : left_(text) {}
+  explicit JobTextReader(std::string_view text) : left_(text) {}
   void operator()(std::string& part) {
     part.clear();
     const std::size_t end = std::min(left_.find(' '), left_.size());
@@ -117,7 +117,7 @@ void visit_result(Archive& archive, T& found) {
 
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
-BackgroundWork::Work reading(const edit::Load& command, const std::optional<base::PlannedCrash>& crash) {
+BackgroundWork::Work reading(const edit::LoadTrack& command, const std::optional<base::PlannedCrash>& crash) {
   return [command, crash]() -> base::Result<JobResult> {
     base::Files files;
     crash_if_planned(crash, base::CrashPlace::job);
@@ -126,7 +126,7 @@ BackgroundWork::Work reading(const edit::Load& command, const std::optional<base
   };
 }
 
-BackgroundWork::Work searching(const edit::Session& session, const edit::Seek& command) {
+BackgroundWork::Work searching(const edit::Session& session, const edit::SeekGoal& command) {
   return [search = edit::search_for(session, command)]() -> base::Result<JobResult> {
     base::Result<edit::SeekResult> sought = search();
     return sought ? base::Result<JobResult>(std::move(*sought)) : sought.status();
@@ -163,8 +163,8 @@ void begin_way(Program& program, const edit::Command& command, sim::ClosingRepla
 
 // Begins what can be done beside the frames for a command; false for most commands.
 bool begin_work(const Program& program, const edit::Command& command, LongJob& job) {
-  if (const auto* const load = command.as<edit::Load>()) {
-    const exchange::Format* const format = exchange::format_of(load->path);
+  if (const auto* const load = command.as<edit::LoadTrack>()) {
+    const exchange::TrackFormat* const format = exchange::format_of(load->path);
     if (!format || !format->parse_watched) return false;
     job.panel = "Import", job.title = "Fitting a track to the imported points";
     const bool pasted = exchange::is_pasted(load->path);
@@ -172,7 +172,7 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
     job.work = std::make_unique<BackgroundWork>(reading(*load, program.planned_crash), pasted ? "" : load->path);
     return true;
   }
-  if (const auto* const seek = command.as<edit::Seek>()) {
+  if (const auto* const seek = command.as<edit::SeekGoal>()) {
     job.panel = "Search", job.title = "Searching for " + seek->goal.text;
     job.cancelled = "Cancelled the search";
     job.work = std::make_unique<BackgroundWork>(searching(program.session, *seek), "");
@@ -201,7 +201,7 @@ bool begins_something(const platform::Event& event) {
   const auto* const pad = std::get_if<platform::GamepadButton>(&event);
   return (button && button->down) || (key && key->down) || (pad && pad->down) ||
          std::holds_alternative<platform::TextInput>(event) || std::holds_alternative<platform::Wheel>(event) ||
-         std::holds_alternative<platform::Drop>(event);
+         std::holds_alternative<platform::FileDrop>(event);
 }
 
 // Shows the last picture with a card while a command works. Input that begins something is left out; the rest waits for
@@ -230,7 +230,7 @@ std::string title_of(const edit::Command& command) {
 
 std::string print_job_result(const base::Result<JobResult>& found) {
   constexpr std::string_view kKinds[] = {"track", "sought", "way"};  // as in JobResult
-  Writer to;
+  JobTextWriter to;
   if (!found) {
     to("failed"), to(found.status().code), to(found.status().message);
     return to.take();
@@ -243,7 +243,7 @@ std::string print_job_result(const base::Result<JobResult>& found) {
 
 base::Result<JobResult> parse_job_result(std::string_view text) {
   const base::Status broken{base::Code::io, "what the page's worker sent cannot be read"};
-  Reader from(text);
+  JobTextReader from(text);
   const auto read = [&](auto one) {
     visit_result(from, one);
     return from.done() ? base::Result<JobResult>(std::move(one)) : broken;

@@ -89,7 +89,7 @@ base::Status validate_challenge(const std::string& path) {
   session.game.referee = query::referee();
   if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
   print_notices(session);
-  edit::Verdict verdict = session.game.referee.judge(session, nullptr);
+  edit::ChallengeVerdict verdict = session.game.referee.judge(session, nullptr);
   if (session.game.challenge->file.judged != exchange::JudgedWhen::build &&
       edit::apply(session, files, edit::RideStart{})) {
     const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
@@ -140,7 +140,7 @@ int run_validate(const Options& options) {
 int run_report(const Options& options) {
   base::Files files;
   edit::Session session = edit::make_session({});
-  if (const base::Status opened = edit::apply(session, files, edit::Load{track_of(options).string()}); !opened)
+  if (const base::Status opened = edit::apply(session, files, edit::LoadTrack{track_of(options).string()}); !opened)
     return finish({base::Code::bad_file, opened.message});
   print_notices(session);
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
@@ -154,7 +154,7 @@ int run_report(const Options& options) {
 base::Status open_track(Program& program, const std::filesystem::path& path) {
   run_frame(program, {platform::Tick{0}}, 0);
   if (path.empty()) return apply(program, edit::NewTrack{});
-  const base::Status loaded = apply(program, edit::Load{path.string()});
+  const base::Status loaded = apply(program, edit::LoadTrack{path.string()});
   if (loaded && !program.surface->is_window()) print_notices(program.session);
   return loaded ? loaded : base::Status{base::Code::bad_file, loaded.message};
 }

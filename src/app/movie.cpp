@@ -109,7 +109,7 @@ base::Status begin_filming(Program& program, base::Result<std::unique_ptr<Movie>
 }
 
 void start_by_hand(Program& program) {
-  const bool in_page = platform::Encoder::in_page();
+  const bool in_page = platform::BrowserEncoder::in_page();
   const std::filesystem::path folder = movie_folder(program);
   const std::string file = folder.filename().string() + ".webm";
   base::Status begun = begin_lap(program);
@@ -153,7 +153,7 @@ base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
 base::Result<std::unique_ptr<Movie>> Movie::start_in_page(const std::string& name) {
   MovieOrder order;
   order.folder = name;
-  auto encoder = platform::Encoder::start(order.fps);
+  auto encoder = platform::BrowserEncoder::start(order.fps);
   if (!encoder) return encoder.status();
   std::unique_ptr<Movie> movie(new Movie(order));
   movie->page_ = std::move(*encoder);
@@ -202,7 +202,7 @@ base::Status Movie::finish() {
   return failed_;
 }
 
-MovieEncoder::MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::Encoder> page)
+MovieEncoder::MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::BrowserEncoder> page)
     : order_(order), frames_(frames), program_(find_program("ffmpeg")), page_(std::move(page)) {
   if (page_ && frames > 0) page_->finish(order.folder.string());
   if (page_ || program_.empty() || frames < 1) return;
@@ -356,10 +356,10 @@ base::Status finish_movie(Program& program) {
   return failed;
 }
 
-void follow_movie(Program& program, ui::MovieWish wish) {
-  if (wish == ui::MovieWish::start && !program.filming) start_by_hand(program);
+void follow_movie(Program& program, ui::MovieRequest wish) {
+  if (wish == ui::MovieRequest::start && !program.filming) start_by_hand(program);
   if (!program.filming || !program.filming->by_hand) return;  // a script's movie is under its own control
-  if (wish == ui::MovieWish::stop) {
+  if (wish == ui::MovieRequest::stop) {
     if (recording(program)) (void)stop_movie(program);
     else program.filming.reset();  // the pictures are complete; nobody waits for the movie file
   }

@@ -57,7 +57,7 @@ class Movie {
   // Waits until all are written. Returns the first failure, in every call.
   base::Status finish();
   // Returns the browser's encoder; null but for a page's movie.
-  std::unique_ptr<platform::Encoder> take_encoder() { return std::move(page_); }
+  std::unique_ptr<platform::BrowserEncoder> take_encoder() { return std::move(page_); }
 
   static constexpr std::size_t kMostWriters = 8;
   static std::string picture_name(int number);
@@ -71,7 +71,7 @@ class Movie {
   std::size_t most_writers_;
   std::deque<std::future<base::Status>> writers_;
   base::Status failed_;
-  std::unique_ptr<platform::Encoder> page_;
+  std::unique_ptr<platform::BrowserEncoder> page_;
 };
 
 // Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a separate process.
@@ -79,7 +79,7 @@ class MovieEncoder {
  public:
   // Begins, with the order of Movie::order(): ffmpeg writes new files, which get their names when they are whole.
   // Without ffmpeg, and for a movie without pictures, there is nothing to do. A page's encoder finishes the file.
-  MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::Encoder> page = nullptr);
+  MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::BrowserEncoder> page = nullptr);
 
   // Returns a line about the result once everything is made or failed, without waiting.
   std::optional<std::string> poll();
@@ -97,7 +97,7 @@ class MovieEncoder {
   double done_ = 0;
   std::optional<base::NewFile> making_;
   Process process_;
-  std::unique_ptr<platform::Encoder> page_;
+  std::unique_ptr<platform::BrowserEncoder> page_;
 };
 
 struct Program;
@@ -136,7 +136,7 @@ base::Status finish_movie(Program& program);
 
 // Handles a movie in a window: the panels' request, the end of the lap, the end of the movie file. Call it once a
 // frame, before the frame's ticks.
-void follow_movie(Program& program, ui::MovieWish wish);
+void follow_movie(Program& program, ui::MovieRequest wish);
 
 // Records a movie without a window: rides from the start for a lap or for `pictures`, with the selected camera;
 // measures the ride. Waits for the movie file.

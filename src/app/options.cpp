@@ -79,7 +79,7 @@ std::string bash_completion() {
   std::vector<std::string> names{"--help", "--version"}, endings;
   for (const OptionRow& row : option_rows())
     if (row.name.starts_with('-')) names.emplace_back(row.name);
-  for (const exchange::Format& format : exchange::formats())
+  for (const exchange::TrackFormat& format : exchange::formats())
     if (format.parse) endings.emplace_back(format.ending.substr(1));
   const std::string tracks = fmt::format("{}", fmt::join(endings, "|"));
   const auto files = [](std::string_view pattern) { return fmt::format("_filedir '@({})'", pattern); };

@@ -16,7 +16,7 @@ namespace {
 
 // Pictures bypass the program's file handling: injected faults are meant for documents.
 base::Status write(const base::FileRoot& root, const std::filesystem::path& path, const gfx::Image& image,
-                   base::Replaces replaces = base::Replaces::made) {
+                   base::ReplaceableFiles replaces = base::ReplaceableFiles::made) {
   const std::filesystem::path folder = path.parent_path();
   if (const base::Status made = folder.empty() ? base::Status{} : root.make_folders(folder); !made) return made;
   base::Files files(root);
@@ -28,7 +28,7 @@ base::Status write_golden(const std::string& name, const std::filesystem::path& 
   std::filesystem::path folder = golden.parent_path();
   for ([[maybe_unused]] const std::filesystem::path& part : std::filesystem::path(name)) folder = folder.parent_path();
   const auto root = base::FileRoot().open(folder.empty() ? "." : folder);
-  return root ? write(*root, golden, image, base::Replaces::any) : root.status();
+  return root ? write(*root, golden, image, base::ReplaceableFiles::any) : root.status();
 }
 
 std::string page(const std::string& file) {
@@ -139,7 +139,7 @@ base::Status write_sheet(const base::FileRoot& root, const std::filesystem::path
 std::string picture_difference(std::string_view png, std::string_view other) {
   const auto a = gfx::decode_png(png, ""), b = gfx::decode_png(other, "");
   if (!a || !b) return {};
-  const gfx::Difference difference = gfx::compare(*a, *b, {.share = 0, .block = 0, .channel = 0});
+  const gfx::PictureDifference difference = gfx::compare(*a, *b, {.share = 0, .block = 0, .channel = 0});
   if (!difference.same_size)
     return fmt::format("in size: {}x{} and {}x{} pixels", a->width, a->height, b->width, b->height);
   if (difference.pixels == 0) return {};
@@ -167,8 +167,9 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (!reference) return reference.status();
   // Goldens are Mesa's pictures; browsers draw by ANGLE.
   const bool as_mesa = program.surface->library() != "WebGL 2";
-  const gfx::Tolerance tolerance = as_mesa ? gfx::Difference::kSameSamples : gfx::Difference::kOtherSamples;
-  const gfx::Difference difference = gfx::compare(picture, *reference, tolerance);
+  const gfx::PictureTolerance tolerance =
+      as_mesa ? gfx::PictureDifference::kSameSamples : gfx::PictureDifference::kOtherSamples;
+  const gfx::PictureDifference difference = gfx::compare(picture, *reference, tolerance);
   if (difference.acceptable) return {};
   if (update) return write_golden(name, golden, picture);
   for (const base::Status& wrote : {write(root, at("new.png"), picture), write(root, at("reference.png"), *reference)})

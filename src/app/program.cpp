@@ -136,7 +136,7 @@ void leave_without_graphics(Program& program, const std::string& why) {
   std::_Exit(base::exit_code(base::Code::graphics));
 }
 
-view::Watched watched(const Program& program) {
+view::CameraSubject watched(const Program& program) {
   const edit::Session& session = program.session;
   return {session.document, session.derived, session.motion, session.settings, program.by_hand};
 }
@@ -179,7 +179,7 @@ base::Status apply(Program& program, const edit::Command& command, edit::Closing
   if (const std::string* const path = edit::output_path(command); applied && path && program.by_hand)
     for (const std::filesystem::path& file : {std::filesystem::path(*path), exchange::materials_of(*path)})
       if (!file.empty()) program.surface->offer(file.string());
-  if (applied && command.is<edit::Share>())
+  if (applied && command.is<edit::CopyLink>())
     program.surface->set_clipboard(program.options.address + program.session.shared);
   if (!applied || !edit::info(command).traits.replaces || edit::opens_link(command)) return applied;
   const edit::Session& session = program.session;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::app {

@@ -39,7 +39,7 @@ const sim::ElementPlan* shown_closing(const edit::SessionFindings& find, const P
 
 std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
   return sim::shown_cars(session.document, session.derived, session.motion, session.settings.frames, eye,
-                         gfx::Instances::kFullCars);
+                         gfx::CarInstances::kFullCars);
 }
 
 PictureContents find_seen(Program& program, const PictureSettings& look) {
@@ -48,7 +48,7 @@ PictureContents find_seen(Program& program, const PictureSettings& look) {
   find.look_from(gfx::surroundings_of(look.view));
   PictureContents seen{
       {.failure = program.session.motion.failure, .riding = is_riding(program, look)}, find.values(), nullptr};
-  view::Findings& marked = seen.marked;
+  view::MarkedFindings& marked = seen.marked;
   if (layers.has(world::Layer::flips)) marked.breaks = find.breaks();
   if (layers.has(world::Layer::conflicts) && !marked.riding) {
     // A saved picture shows all conflicts. Others may show them later.

@@ -18,7 +18,7 @@ struct PictureSettings {
 
 // What a picture shows besides the track and its trains.
 struct PictureContents {
-  view::Findings marked;
+  view::MarkedFindings marked;
   const sim::TrackValues& values;
   const sim::Supports* supports;  // null: not shown
 };

@@ -167,8 +167,8 @@ void return_to_start(Program& program) {
   const world::Settings& now = program.session.settings;
   if (now.element != start.settings.element)
     (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
-  restore<&world::Aids::show_element, &world::Aids::circuit, &world::Aids::append_mode, &world::Panels::workspace,
-          &world::Panels::show_panels>(program, start.settings);
+  restore<&world::EditingAids::show_element, &world::EditingAids::circuit, &world::EditingAids::append_mode,
+          &world::Panels::workspace, &world::Panels::show_panels>(program, start.settings);
   program.tutorial.card->strayed = false;
   const world::Document& document = program.session.document;
   const bool lives = document.entities.alive(start.settings.selected);

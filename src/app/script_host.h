@@ -31,6 +31,6 @@ inline constexpr bool kSameSetting =
 template <auto Setting>
 inline constexpr bool kLentToTutorial =
     kSameSetting<Setting, &world::Panels::workspace> || kSameSetting<Setting, &world::Panels::show_panels> ||
-    kSameSetting<Setting, &world::Panels::show_laboratory> || kSameSetting<Setting, &world::Aids::show_hints>;
+    kSameSetting<Setting, &world::Panels::show_laboratory> || kSameSetting<Setting, &world::EditingAids::show_hints>;
 
 }  // namespace coaster::app

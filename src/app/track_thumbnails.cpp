@@ -22,7 +22,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   ui::TrackPicture picture;
   edit::Session session = edit::make_session({});
   base::Files files;
-  if (const base::Status opened = edit::apply(session, files, edit::Load{path}); !opened) {
+  if (const base::Status opened = edit::apply(session, files, edit::LoadTrack{path}); !opened) {
     picture.problem = opened.message;
     return picture;
   }
@@ -40,7 +40,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   edit::SessionFindings(session).look_from(gfx::surroundings_of(view));
   scene.supports = &edit::SessionFindings(session).supports();
   (void)renderer->draw(scene, width, height);
-  gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());
+  gfx::GlObject texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();
   textures_[path] = std::move(texture);
   return picture;

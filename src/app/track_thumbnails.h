@@ -39,7 +39,7 @@ class TrackPictures {
   bool requested_ = false;  // by the last update
   bool busy_ = false;
   std::map<std::string, Source> sources_;
-  std::map<std::string, gfx::Object> textures_;
+  std::map<std::string, gfx::GlObject> textures_;
   std::map<std::string, ui::TrackPicture> made_;
 };
 

@@ -28,7 +28,7 @@ using edit::NoticeKind;
 using Outcome = base::LockAttempt::Outcome;
 
 bool holds_everything(const std::filesystem::path& path) {
-  const exchange::Format* const format = exchange::format_of(path);
+  const exchange::TrackFormat* const format = exchange::format_of(path);
   return format != nullptr && format->whole;
 }
 
@@ -263,11 +263,11 @@ void offer(UserDataKeeper& keeper) {
     keeper.state.recoveries.push_back({f.info.original, f.info.name, f.file_time, f.info.time});
 }
 
-void answer(Program& program, UserDataKeeper& keeper, ui::Recovery what) {
+void answer(Program& program, UserDataKeeper& keeper, ui::RecoveryAnswer what) {
   if (keeper.found.empty()) return;
-  if (what == ui::Recovery::later) {
+  if (what == ui::RecoveryAnswer::later) {
     keeper.found.clear();  // the files stay
-  } else if (what == ui::Recovery::discard) {
+  } else if (what == ui::RecoveryAnswer::discard) {
     exchange::discard(keeper.files, keeper.found.front());
     keeper.found.erase(keeper.found.begin());
   } else {
@@ -281,7 +281,7 @@ void answer(Program& program, UserDataKeeper& keeper, ui::Recovery what) {
   offer(keeper);
 }
 
-void set_keys(Program& program, const std::vector<exchange::KeyChoice>& keys) {
+void set_keys(Program& program, const std::vector<exchange::KeyBinding>& keys) {
   if (const auto problems = program.ui->set_keys(keys); !problems.empty())
     edit::notify(program.session, NoticeKind::warning, fmt::format("{}", fmt::join(problems, " ")));
 }
@@ -327,7 +327,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
     exchange::remember(recent, base::canonical_path(save->path).string());
   } else if (edit::info(command).traits.replaces) {
     follow_file(program, keeper);
-    const auto* const load = command.as<edit::Load>();
+    const auto* const load = command.as<edit::LoadTrack>();
     if (load && !keeper.unasked && !edit::opens_link(command) && !exchange::is_pasted(load->path))
       exchange::remember(recent, base::canonical_path(load->path).string());
   }

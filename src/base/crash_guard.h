@@ -92,17 +92,17 @@ inline constexpr NameRow kCrashPlaces[] = {{"input", "Input", "Reading the event
                                            {"keeping", "Keeping", "Keeping settings and unsaved changes."}};
 constexpr std::span<const NameRow> rows_of(CrashPlace) { return kCrashPlaces; }
 
-enum class CrashWay : std::uint8_t { access, check, exception, stack, memory };
+enum class CrashCause : std::uint8_t { access, check, exception, stack, memory };
 inline constexpr NameRow kCrashWays[] = {{"access", "Access", "Writes to an invalid address."},
                                          {"check", "Check", "Fails a check."},
                                          {"exception", "Exception", "Throws an exception that nobody handles."},
                                          {"stack", "Stack", "Calls itself until the stack ends."},
                                          {"memory", "Memory", "Takes all memory, then writes to an invalid address."}};
-constexpr std::span<const NameRow> rows_of(CrashWay) { return kCrashWays; }
+constexpr std::span<const NameRow> rows_of(CrashCause) { return kCrashWays; }
 
 struct PlannedCrash {
   CrashPlace place = CrashPlace::input;
-  CrashWay way = CrashWay::access;
+  CrashCause way = CrashCause::access;
 };
 
 // Crashes if that is planned for this place.

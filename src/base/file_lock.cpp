@@ -17,10 +17,10 @@ namespace coaster::base {
 namespace {
 
 // The contents of the open lock file, "4711\nHOST\n"; missing parts are empty.
-struct Owner {
+struct LockOwner {
   std::string pid, host;
 };
-Owner read_owner(int fd) {
+LockOwner read_owner(int fd) {
   char text[320];
   const ssize_t got = ::pread(fd, text, sizeof text, 0);
   const std::string all(text, got > 0 ? static_cast<std::size_t>(got) : 0);
@@ -30,7 +30,7 @@ Owner read_owner(int fd) {
   return {all.substr(0, first), all.substr(first + 1, second == std::string::npos ? second : second - first - 1)};
 }
 
-std::string describe(const Owner& owner) {
+std::string describe(const LockOwner& owner) {
   if (owner.pid.empty()) return "another process";
   return fmt::format("process {}{}", owner.pid,
                      owner.host.empty() || owner.host == host_name() ? "" : " on " + owner.host);
@@ -108,7 +108,7 @@ LockAttempt try_lock(const std::filesystem::path& path, const FileRoot& root) {
     Descriptor file = open_lock(lock.place_, attempt.reason);
     if (!file.valid()) return attempt;
     const int locked = ::flock(file.get(), LOCK_EX | LOCK_NB), error = errno;
-    const Owner owner = read_owner(file.get());
+    const LockOwner owner = read_owner(file.get());
     if (locked != 0 && error != EWOULDBLOCK) {
       attempt.reason = std::strerror(error);
     } else if (locked != 0 || (!owner.host.empty() && owner.host != host_name())) {

@@ -356,7 +356,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   }
 }
 
-Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replaces) {
+Result<NewFile> Files::create(const std::filesystem::path& path, ReplaceableFiles replaces) {
   // The folder is opened before any change, so that after the rename only its fsync can fail.
   Result<FileLocation> place = root_.locate(path);
   if (!place) return place.status();
@@ -367,7 +367,7 @@ Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replac
   if (exists && S_ISLNK(old.st_mode)) return root_.link_refused(path);  // without a limit it was followed
   if (exists && !S_ISREG(old.st_mode))
     return Status{Code::io, path.string() + ": is not a regular file, so it cannot be written"};
-  if (exists && root_.limited() && replaces == Replaces::made && !is_made(made_in(folder), place->name))
+  if (exists && root_.limited() && replaces == ReplaceableFiles::made && !is_made(made_in(folder), place->name))
     return not_made(path);
   if (exists && ::faccessat(folder, name, W_OK, 0) != 0) return failure(path, "is read-only", errno);
   (void)sweep(folder, temporary_stem(place->name));
@@ -381,7 +381,7 @@ Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replac
   return made;
 }
 
-Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes, Replaces replaces) {
+Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes, ReplaceableFiles replaces) {
   Result<NewFile> made = create(path, replaces);
   if (!made) return made.status();
   Descriptor& file = made->file();

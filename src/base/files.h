@@ -104,7 +104,7 @@ class NewFile {
 };
 
 // What a file may replace where a run writes only below a folder: files that runs made there, or any.
-enum class Replaces { made, any };
+enum class ReplaceableFiles { made, any };
 
 // The file in each folder that lists the files that runs with a limited root made in it.
 inline constexpr std::string_view kMadeList = ".coaster-made";
@@ -132,9 +132,10 @@ class Files {
   // temporary file is removed and the old file is unchanged; but if the last step fails (the second fsync, on the
   // folder), the complete new file is in place and may not survive a power cut. Code::io with "PATH: operation:
   // reason"; Code::refused outside the limit, and for a file below it that may not be replaced.
-  Status write_atomic(const std::filesystem::path& path, std::string_view bytes, Replaces replaces = Replaces::made);
+  Status write_atomic(const std::filesystem::path& path, std::string_view bytes,
+                      ReplaceableFiles replaces = ReplaceableFiles::made);
   // Creates the temporary file of write_atomic, for files that are written in pieces or by another process.
-  Result<NewFile> create(const std::filesystem::path& path, Replaces replaces = Replaces::made);
+  Result<NewFile> create(const std::filesystem::path& path, ReplaceableFiles replaces = ReplaceableFiles::made);
 
   // Removes a file, or a link itself. Returns false if there is none or it cannot be removed.
   bool remove(const std::filesystem::path& path);

@@ -16,9 +16,9 @@ constexpr double kLongest = 40;   // largest change of one unknown in one direct
 constexpr double kCoarsest = 64;  // largest difference in steps, if smaller ones have no effect
 constexpr double kFinest = 1e-9;  // in steps: a smaller bracket contains a jump
 
-class Search {
+class LeastChangeSearch {
  public:
-  explicit Search(const Equation& equation) : e_(equation) {}
+  explicit LeastChangeSearch(const Equation& equation) : e_(equation) {}
 
   Solution run() {
     for (const Unknown& unknown : e_.unknowns) best_.unknowns.push_back(unknown.start);
@@ -98,7 +98,7 @@ class Search {
   }
 
   // A position along the direction, as a fraction of it, and the remaining difference.
-  struct Place {
+  struct LinePosition {
     double part, missing;
   };
 
@@ -106,7 +106,7 @@ class Search {
   // false if it never came closer.
   bool follow(const Values& way) {
     const Values from = best_.unknowns;
-    Place near{0, missing(best_.value)};
+    LinePosition near{0, missing(best_.value)};
     double part = 1;
     int closer = 0;
     for (int halving = 0; halving < kHalvings && closer < kLongWay && !ended_;) {
@@ -119,7 +119,7 @@ class Search {
       }
       ++closer;
       keep(from, way, part, *there);
-      const Place before = std::exchange(near, {part, missing(*there)});
+      const LinePosition before = std::exchange(near, {part, missing(*there)});
       const double slope = (before.missing - near.missing) / (near.part - before.part);
       part = near.part + std::clamp(near.missing / slope, 0.1 * near.part, 4 * near.part);
     }
@@ -132,7 +132,7 @@ class Search {
   }
 
   // Searches between two positions that enclose the wanted value.
-  bool between(const Values& from, const Values& way, Place near, Place far) {
+  bool between(const Values& from, const Values& way, LinePosition near, LinePosition far) {
     int kept = 0;  // > 0: how often in a row the nearer one stayed; < 0: the farther one
     while (!ended_ && far.part - near.part > kFinest) {
       const double secant = (near.part * far.missing - far.part * near.missing) / (far.missing - near.missing);
@@ -163,6 +163,6 @@ class Search {
 
 }  // namespace
 
-Solution solve_by_least_change(const Equation& equation) { return Search(equation).run(); }
+Solution solve_by_least_change(const Equation& equation) { return LeastChangeSearch(equation).run(); }
 
 }  // namespace coaster::base

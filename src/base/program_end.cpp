@@ -18,19 +18,19 @@ namespace coaster::base {
 namespace {
 
 // A new-handler gets no argument, so its state is global.
-struct Guard {
+struct MemoryEndState {
   void* reserve = nullptr;
   std::thread::id owner;
   std::function<std::string()> save;
   std::atomic<std::thread::id> ending;  // the thread that ends the program
 };
-Guard& guard() {
-  static Guard one;
+MemoryEndState& guard() {
+  static MemoryEndState one;
   return one;
 }
 
 void end_of_memory() {
-  Guard& g = guard();
+  MemoryEndState& g = guard();
   std::thread::id nobody;
   const std::thread::id here = std::this_thread::get_id();
   if (!g.ending.compare_exchange_strong(nobody, here)) {
@@ -64,14 +64,14 @@ void take_memory() {
     if (part[0] = std::malloc(kPart); part[0] == nullptr) return;
 }
 
-void crash(CrashWay way) {
+void crash(CrashCause way) {
   volatile int top = 0;
   switch (way) {
-    case CrashWay::check: COASTER_CHECK(top != 0, "a planned crash"); break;
-    case CrashWay::exception: throw std::runtime_error("a planned crash");
-    case CrashWay::stack: descend(&top); break;
-    case CrashWay::memory: take_memory(); [[fallthrough]];
-    case CrashWay::access: write_to_nowhere();
+    case CrashCause::check: COASTER_CHECK(top != 0, "a planned crash"); break;
+    case CrashCause::exception: throw std::runtime_error("a planned crash");
+    case CrashCause::stack: descend(&top); break;
+    case CrashCause::memory: take_memory(); [[fallthrough]];
+    case CrashCause::access: write_to_nowhere();
   }
 }
 
@@ -85,7 +85,7 @@ void check_failed(const char* condition, const char* why, const char* file, int 
 }
 
 void guard_memory() {
-  Guard& g = guard();
+  MemoryEndState& g = guard();
   if (g.reserve == nullptr) g.reserve = std::malloc(kMemoryReserve);
   g.owner = std::this_thread::get_id();
   std::set_new_handler(end_of_memory);

@@ -346,21 +346,21 @@ TextError size_error(int column, std::string_view text) {
   return {column, fmt::format("expected {}, found {}", kSizeWords, quoted_start(text)), numbers};
 }
 
-bool Words::accept(std::string_view word) {
+bool WordReader::accept(std::string_view word) {
   const Token* const next = peek();
   if (!next || next->quoted || next->text != word) return false;
   ++next_;
   return true;
 }
 
-const Token* Words::take(std::string_view what) {
+const Token* WordReader::take(std::string_view what) {
   if (failed_) return nullptr;
   if (const Token* const next = peek()) return ++next_, next;
   fail(end_column(), fmt::format("expected {} at the end of the line", what));
   return nullptr;
 }
 
-std::optional<double> Words::number(std::string_view what) {
+std::optional<double> WordReader::number(std::string_view what) {
   const Token* const word = take(what);
   if (!word) return std::nullopt;
   std::string_view text = word->text;
@@ -370,7 +370,7 @@ std::optional<double> Words::number(std::string_view what) {
   return value;
 }
 
-std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low, std::int64_t high) {
+std::optional<std::int64_t> WordReader::whole(std::string_view what, std::int64_t low, std::int64_t high) {
   const Token* const word = take(what);
   if (!word) return std::nullopt;
   const auto value = parse_int(word->text);
@@ -379,7 +379,7 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   return std::nullopt;
 }
 
-std::optional<glm::vec3> Words::vector(std::string_view what) {
+std::optional<glm::vec3> WordReader::vector(std::string_view what) {
   glm::vec3 v{0};
   for (int axis = 0; axis < 3; ++axis) {
     const Token* const word = take(what);
@@ -394,7 +394,7 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
   return v;
 }
 
-std::optional<bool> Words::on_off() {
+std::optional<bool> WordReader::on_off() {
   const Token* const word = take("on or off");
   if (!word) return std::nullopt;
   if (word->text == "1") return true;
@@ -404,7 +404,7 @@ std::optional<bool> Words::on_off() {
   return value;
 }
 
-std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const std::string> names) {
+std::optional<std::size_t> WordReader::one_of(std::string_view what, std::span<const std::string> names) {
   const Token* const word = take(what);
   if (!word) return std::nullopt;
   const auto found = std::find(names.begin(), names.end(), word->text);
@@ -413,32 +413,32 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
   return std::nullopt;
 }
 
-bool Words::end() {
+bool WordReader::end() {
   if (failed_) return false;
   if (const Token* const extra = peek())
     return fail(extra->column, "unexpected " + base::quoted_start(extra->text) + " after the end of the statement");
   return true;
 }
 
-bool Words::reject(std::string_view what, std::string_view hint) {
+bool WordReader::reject(std::string_view what, std::string_view hint) {
   const Token& word = words_[next_ - 1];
   const std::string message = fmt::format("expected {}, found {}{}", what, base::quoted_start(word.text), hint);
   return fail({word.column, message, false, !hint.empty()});
 }
 
-bool Words::reject_number(std::string_view what) {
+bool WordReader::reject_number(std::string_view what) {
   reject(what);
   error_.out_of_range = is_number(words_[next_ - 1].text);
   return false;
 }
 
-bool Words::fail(TextError error) {
+bool WordReader::fail(TextError error) {
   if (!failed_) error_ = std::move(error);
   failed_ = true;
   return false;
 }
 
-int Words::end_column() const {
+int WordReader::end_column() const {
   if (words_.empty()) return 1;
   const Token& last = words_.back();
   return last.column + static_cast<int>(last.quoted ? base::quoted(last.text).size() : last.text.size());

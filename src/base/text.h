@@ -90,9 +90,9 @@ std::string visible_text(std::string_view text);
 std::string_view utf8_start(std::string_view text, std::size_t most);
 
 // Reads the words of one line for a grammar (commands, scripts, conditions); stores the first failure with its column.
-class Words {
+class WordReader {
  public:
-  Words(std::span<const Token> words, TextError& error) : words_(words), error_(error) {}
+  WordReader(std::span<const Token> words, TextError& error) : words_(words), error_(error) {}
 
   bool at_end() const { return next_ >= words_.size(); }
   const Token* peek() const { return at_end() ? nullptr : &words_[next_]; }

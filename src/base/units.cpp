@@ -77,13 +77,13 @@ std::string converted(std::string_view number, const ShownUnit& unit) {
 }
 
 // Numbers that share a unit: "0 to 20 m", "3..5 m", "-1.5 m".
-struct Run {
+struct NumbersOfUnit {
   std::vector<std::string_view> numbers, before;  // the numbers, and the text before each
   std::size_t size = 0;                           // of all numbers, with the blank before the unit
   const UnitRow* unit = nullptr;                  // null: no metric unit follows
 };
-Run run_at(std::string_view text) {
-  Run run;
+NumbersOfUnit run_at(std::string_view text) {
+  NumbersOfUnit run;
   std::size_t from = 0;
   for (std::size_t at = 0;;) {
     const std::size_t size = number_size(text.substr(at));
@@ -158,18 +158,18 @@ std::string known_units(std::string_view unit) {
   return alternatives(names);
 }
 
-struct Value {
+struct QuantityValue {
   double number = 0;
   bool measured = false;  // has a unit, and is in the wanted one
 };
 
 // Reads by recursive descent, one function for each level of precedence; keeps the first error.
-class Reader {
+class QuantityReader {
  public:
-  Reader(std::string_view text, std::string_view unit) : rest_(text), unit_(unit) {}
+  QuantityReader(std::string_view text, std::string_view unit) : rest_(text), unit_(unit) {}
 
   Result<double> read() {
-    const Value value = sum();
+    const QuantityValue value = sum();
     skip_blanks();
     if (error_.empty() && !rest_.empty()) fail(fmt::format("unexpected {}", quoted_start(next_word())));
     if (!error_.empty()) return Status{Code::usage, error_};
@@ -177,20 +177,20 @@ class Reader {
   }
 
  private:
-  Value sum() {
-    Value value = product();
+  QuantityValue sum() {
+    QuantityValue value = product();
     for (char sign = take_one_of("+-"); sign != 0; sign = take_one_of("+-")) {
-      const Value other = product();
+      const QuantityValue other = product();
       value.number = checked(sign == '+' ? value.number + other.number : value.number - other.number);
       value.measured = value.measured || other.measured;
     }
     return value;
   }
 
-  Value product() {
-    Value value = signed_value();
+  QuantityValue product() {
+    QuantityValue value = signed_value();
     for (char sign = take_one_of("*/"); sign != 0; sign = take_one_of("*/")) {
-      const Value other = signed_value();
+      const QuantityValue other = signed_value();
       if (sign == '*' && value.measured && other.measured) fail("a product of two units");
       if (sign == '/' && other.measured && !value.measured) fail("a unit below the division line");
       if (sign == '/' && other.number == 0) fail("a division by zero");
@@ -200,24 +200,24 @@ class Reader {
     return value;
   }
 
-  Value signed_value() {
+  QuantityValue signed_value() {
     bool negative = false;
     for (char sign = take_one_of("+-"); sign != 0; sign = take_one_of("+-")) negative ^= sign == '-';
-    Value value = measured(take_one_of("(") != 0 ? bracket() : plain_number());
+    QuantityValue value = measured(take_one_of("(") != 0 ? bracket() : plain_number());
     if (negative) value.number = -value.number;
     return value;
   }
 
-  Value bracket() {
+  QuantityValue bracket() {
     constexpr int kMostNested = 64;
     if (++nested_ > kMostNested) return fail("too many brackets");
-    const Value value = sum();
+    const QuantityValue value = sum();
     --nested_;
     if (take_one_of(")") == 0) return fail("expected a closing bracket");
     return value;
   }
 
-  Value plain_number() {
+  QuantityValue plain_number() {
     std::size_t size = 0;
     const auto digits = [&] {
       const std::size_t from = size;
@@ -245,7 +245,7 @@ class Reader {
   }
 
   // Converts a value followed by a unit.
-  Value measured(Value value) {
+  QuantityValue measured(QuantityValue value) {
     skip_blanks();
     if (!error_.empty() || rest_.empty() || !is_letter(rest_.front())) return own_sign(value);
     const std::string_view name = unit_name();
@@ -266,7 +266,7 @@ class Reader {
   }
 
   // Accepts a wanted unit that is not a word, such as "%".
-  Value own_sign(Value value) {
+  QuantityValue own_sign(QuantityValue value) {
     if (error_.empty() && !unit_.empty() && !is_letter(unit_.front()) && rest_.starts_with(unit_) && !value.measured) {
       rest_.remove_prefix(unit_.size());
       value.measured = true;
@@ -307,7 +307,7 @@ class Reader {
     if (!std::isfinite(number)) fail("the result is too large");
     return number;
   }
-  Value fail(std::string reason) {
+  QuantityValue fail(std::string reason) {
     if (error_.empty()) error_ = std::move(reason);
     return {};
   }
@@ -374,7 +374,8 @@ std::string in_units(std::string_view text, UnitSystem units) {
       result += fmt::format("({})", alone->in[row].name), at += alone->in[0].name.size() + 2;
       continue;
     }
-    if (const Run run = word_begins && is_digit(rest.front()) ? run_at(rest) : Run{}; run.unit != nullptr) {
+    if (const NumbersOfUnit run = word_begins && is_digit(rest.front()) ? run_at(rest) : NumbersOfUnit{};
+        run.unit != nullptr) {
       for (std::size_t i = 0; i < run.numbers.size(); ++i) {
         result += run.before[i];
         result += converted(run.numbers[i], run.unit->in[row]);
@@ -388,6 +389,6 @@ std::string in_units(std::string_view text, UnitSystem units) {
 }
 
 std::span<const Unit> units() { return kUnits; }
-Result<double> evaluate(std::string_view text, std::string_view unit) { return Reader(text, unit).read(); }
+Result<double> evaluate(std::string_view text, std::string_view unit) { return QuantityReader(text, unit).read(); }
 
 }  // namespace coaster::base

@@ -13,15 +13,15 @@ namespace {
 
 using glm::dvec3;
 
-struct Node {
+struct QuadratureNode {
   double x, weight;  // on [-1,1], the positive half; the rule is symmetric
 };
 // Roots of the Legendre polynomials P8 and P16 and their weights.
-constexpr Node kGauss8[] = {{0.183434642495649804939, 0.362683783378361982965},
-                            {0.525532409916328985817, 0.313706645877887287337},
-                            {0.796666477413626739591, 0.222381034453374470544},
-                            {0.960289856497536231683, 0.101228536290376259152}};
-constexpr Node kGauss16[] = {
+constexpr QuadratureNode kGauss8[] = {{0.183434642495649804939, 0.362683783378361982965},
+                                      {0.525532409916328985817, 0.313706645877887287337},
+                                      {0.796666477413626739591, 0.222381034453374470544},
+                                      {0.960289856497536231683, 0.101228536290376259152}};
+constexpr QuadratureNode kGauss16[] = {
     {0.095012509837637440185, 0.189450610455068496285}, {0.281603550779258913230, 0.182603415044923588866},
     {0.458016777657227386342, 0.169156519395002538189}, {0.617876244402643748446, 0.149595988816576732081},
     {0.755404408355003033895, 0.124628971255533872052}, {0.865631202387831743880, 0.095158511682492784809},
@@ -30,10 +30,10 @@ constexpr Node kGauss16[] = {
 constexpr int kMaxDepth = 24;
 
 template <std::size_t N>
-double gauss(const CoefficientsD& c, double a, double b, const Node (&nodes)[N]) {
+double gauss(const CoefficientsD& c, double a, double b, const QuadratureNode (&nodes)[N]) {
   const double half = 0.5 * (b - a), middle = 0.5 * (a + b);
   double sum = 0;
-  for (const Node& node : nodes)
+  for (const QuadratureNode& node : nodes)
     sum += node.weight * (c.speed(middle - half * node.x) + c.speed(middle + half * node.x));
   return half * sum;
 }
@@ -61,7 +61,7 @@ double polygon_length(const CoefficientsD& c) { return detail::polygon_length(de
 // Returns the parameters in (0,1) where |B'| has a minimum. At a cusp it is a kink that nodes may miss, so integrals
 // are split there. |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between
 // the roots of g'.
-SlowPoints slow_points(const CoefficientsD& c) {
+SpeedMinima slow_points(const CoefficientsD& c) {
   const double g0 = glm::dot(c.c1, c.c2) * 2.0, g1 = 4.0 * glm::dot(c.c2, c.c2) + 6.0 * glm::dot(c.c1, c.c3),
                g2 = 18.0 * glm::dot(c.c2, c.c3), g3 = 18.0 * glm::dot(c.c3, c.c3);
   const auto g = [&](double t) { return g0 + t * (g1 + t * (g2 + t * g3)); };
@@ -74,7 +74,7 @@ SlowPoints slow_points(const CoefficientsD& c) {
       if (t > 0 && t < 1) edges[count++] = t;
   }
   edges[count++] = 1.0;
-  SlowPoints slow;
+  SpeedMinima slow;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     double low = edges[i], high = edges[i + 1];
     if (!(g(low) < 0 && g(high) > 0)) continue;
@@ -87,7 +87,7 @@ SlowPoints slow_points(const CoefficientsD& c) {
   return slow;
 }
 
-double split_at_slow_points(const CoefficientsD& c, const SlowPoints& slow, double a, double b, double floor) {
+double split_at_slow_points(const CoefficientsD& c, const SpeedMinima& slow, double a, double b, double floor) {
   double sum = 0, from = a;
   for (int i = 0; i < slow.count; ++i) {
     const double t = slow.t[static_cast<std::size_t>(i)];
@@ -115,7 +115,7 @@ constexpr double kSteady = 0.25;
 bool nearly_stops(const CoefficientsD& c, double a, double b) {
   if (detail::steadiness(detail::hodograph(c, a, b)) >= kSteady) return false;
   if (slows_down(c, a, b)) return true;
-  const SlowPoints slow = slow_points(c);
+  const SpeedMinima slow = slow_points(c);
   const double usual = std::max(c.speed(a), c.speed(b));
   return std::any_of(slow.t.begin(), slow.t.begin() + slow.count,
                      [&](double t) { return t > a && t < b && c.speed(t) < kSteady * usual; });

@@ -14,7 +14,7 @@ namespace coaster::curve {
 enum class ArcLengthId : int {};
 
 // The accuracy requested from a method. Each method uses one of the two members, or neither.
-struct LengthDemand {
+struct LengthAccuracy {
   int count = 64;           // intervals or nodes, 1 to 4096
   double tolerance = 1e-9;  // relative error, 1e-12 to 0.1
 };
@@ -31,10 +31,10 @@ struct ArcLengthMethod {
   std::string_view name;   // "gauss_legendre"
   std::string_view label;  // "Gauss-Legendre, adaptive"
   std::string_view formula;
-  LengthControl control;   // the member of LengthDemand that it uses
+  LengthControl control;   // the member of LengthAccuracy that it uses
   LengthBound bound;       // how reliable its error_bound is
   double usual_tolerance;  // relative; used only with LengthControl::tolerance; reached in well under a millisecond
-  LengthEstimate (*measure)(const Cubic& cubic, const LengthDemand& demand);
+  LengthEstimate (*measure)(const Cubic& cubic, const LengthAccuracy& demand);
 
   // Returns the length in metres, with `steps` intervals or nodes if the method takes a count, else to usual_tolerance.
   double length(const Cubic& cubic, int steps) const { return measure(cubic, {steps, usual_tolerance}).length; }
@@ -65,7 +65,7 @@ LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1
 void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::span<double> lengths);
 
 // The parameters of the minima of |B'|: at most two, ascending.
-struct SlowPoints {
+struct SpeedMinima {
   std::array<double, 2> t{};
   int count = 0;
 };
@@ -92,7 +92,7 @@ class ArcLengthMap {
 
   CoefficientsD c_{};
   std::array<double, kIntervals + 1> table_{};
-  SlowPoints slow_;
+  SpeedMinima slow_;
   std::uint32_t rough_ = 0;  // bit i: interval i needs the adaptive rule (near a cusp)
 };
 

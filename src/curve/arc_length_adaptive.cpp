@@ -37,7 +37,7 @@ struct GaussLegendre {
 
   void add(const Hodograph& h, int depth) {
     if (steadiness(h) >= kSteadyEnough) {
-      const Sampled s = sample(speed_quartic(h), rule);
+      const SampledLength s = sample(speed_quartic(h), rule);
       const double error = estimated_error(s);
       total.evaluations += 2 * kHalf;
       if (error <= std::max(tolerance * s.length, floor) || depth >= kMaxDepth) return accept(s.length, error);
@@ -66,7 +66,7 @@ LengthEstimate gauss_legendre(const Hodograph& h, double tolerance, const Embedd
   GaussLegendre<kHalf> pieces{tolerance, 0.0, rule};
   // Most pieces of a track pass at once and need no floor.
   if (steadiness(h) >= kSteadyEnough) {
-    const Sampled s = sample(speed_quartic(h), rule);
+    const SampledLength s = sample(speed_quartic(h), rule);
     const double error = estimated_error(s);
     if (error <= tolerance * s.length) return {s.length, error + 1e-15 * s.length, 2 * kHalf};
     pieces.total.evaluations = 2 * kHalf;

@@ -75,13 +75,13 @@ struct EmbeddedRule {
 template <int kHalf>
 const EmbeddedRule<kHalf>& embedded_rule();  // kHalf = 5, 7, 10, 12
 
-struct Sampled {
+struct SampledLength {
   double length;
   double last;  // the largest of the last four Legendre coefficients of the samples, as a length
 };
 
 template <int kHalf>
-Sampled sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
+SampledLength sample(const SpeedQuartic& q, const EmbeddedRule<kHalf>& rule) {
   double sum = 0, even0 = 0, even1 = 0, odd0 = 0, odd1 = 0;
   for (std::size_t i = 0; i < kHalf; ++i) {
     const double u = rule.x[i], uu = u * u, e = q.e0 + uu * (q.e2 + uu * q.e4), o = u * (q.o1 + uu * q.o3);
@@ -110,7 +110,7 @@ auto with_rule_for(double tolerance, const Use& use) {
 // complex pair of roots makes single ones vanish. The factor and kSteadyEnough are measured: over 300,000 pieces of all
 // kinds the error of accepted pieces is below a tenth of the tolerance.
 constexpr double kCoefficientFactor = 3.0, kSteadyEnough = 0.15;
-inline double estimated_error(const Sampled& s) {
+inline double estimated_error(const SampledLength& s) {
   return s.length > 0.0 ? kCoefficientFactor * s.last * s.last / s.length : 0.0;
 }
 

@@ -16,11 +16,11 @@ LengthEstimate counted(double length, int evaluations) { return {length, -1.0, e
 
 detail::Hodograph whole(const Cubic& cubic) { return detail::hodograph(coefficients_d(cubic), 0.0, 1.0); }
 
-LengthEstimate gauss_legendre(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate gauss_legendre(const Cubic& cubic, const LengthAccuracy& demand) {
   return measure_arc_length(cubic, 0.0, 1.0, demand.tolerance);
 }
 
-LengthEstimate gravesen(const Cubic& cubic, const LengthDemand&) {
+LengthEstimate gravesen(const Cubic& cubic, const LengthAccuracy&) {
   // Paper erratum: half the polygon "multiplied by" the chord is in square metres. The estimate is their mean; its
   // error is at most half their difference.
   const detail::Hodograph h = whole(cubic);
@@ -28,7 +28,7 @@ LengthEstimate gravesen(const Cubic& cubic, const LengthDemand&) {
   return {0.5 * (chord + polygon), std::max(0.0, 0.5 * (polygon - chord)) + 1e-15 * polygon, 4};
 }
 
-LengthEstimate chord_sum(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate chord_sum(const Cubic& cubic, const LengthAccuracy& demand) {
   double sum = 0;
   dvec3 last(cubic.p0);
   for (int i = 1; i <= demand.count; ++i) {
@@ -39,7 +39,7 @@ LengthEstimate chord_sum(const Cubic& cubic, const LengthDemand& demand) {
   return counted(sum, demand.count);
 }
 
-LengthEstimate simpson(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate simpson(const Cubic& cubic, const LengthAccuracy& demand) {
   const CoefficientsD c = coefficients_d(cubic);
   const int n = demand.count + demand.count % 2;  // Simpson's rule needs pairs of intervals
   double sum = c.speed(0) + c.speed(1);
@@ -47,14 +47,14 @@ LengthEstimate simpson(const Cubic& cubic, const LengthDemand& demand) {
   return counted(sum / (3.0 * n), n + 1);
 }
 
-LengthEstimate trapezium(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate trapezium(const Cubic& cubic, const LengthAccuracy& demand) {
   const CoefficientsD c = coefficients_d(cubic);
   double sum = 0.5 * (c.speed(0) + c.speed(1));
   for (int i = 1; i < demand.count; ++i) sum += c.speed(static_cast<double>(i) / demand.count);
   return counted(sum / demand.count, demand.count + 1);
 }
 
-LengthEstimate riemann(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate riemann(const Cubic& cubic, const LengthAccuracy& demand) {
   const CoefficientsD c = coefficients_d(cubic);
   double sum = 0;
   for (int i = 0; i < demand.count; ++i) sum += c.speed(static_cast<double>(i) / demand.count);
@@ -62,10 +62,10 @@ LengthEstimate riemann(const Cubic& cubic, const LengthDemand& demand) {
 }
 
 // One rule of up to kMaxRule nodes over the whole curve; more nodes are divided among equal panels.
-LengthEstimate by_panels(const Cubic& cubic, int count, Rule (*rule_of)(int)) {
+LengthEstimate by_panels(const Cubic& cubic, int count, QuadratureRule (*rule_of)(int)) {
   const CoefficientsD c = coefficients_d(cubic);
   const int panels = (count + kMaxRule - 1) / kMaxRule;
-  const Rule rule = rule_of((count + panels - 1) / panels);
+  const QuadratureRule rule = rule_of((count + panels - 1) / panels);
   double sum = 0;
   for (int p = 0; p < panels; ++p) {
     const double a = static_cast<double>(p) / panels, b = static_cast<double>(p + 1) / panels;
@@ -75,19 +75,19 @@ LengthEstimate by_panels(const Cubic& cubic, int count, Rule (*rule_of)(int)) {
   return counted(sum / (2.0 * panels), panels * static_cast<int>(rule.nodes.size()));
 }
 
-LengthEstimate gauss_legendre_fixed(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate gauss_legendre_fixed(const Cubic& cubic, const LengthAccuracy& demand) {
   return by_panels(cubic, demand.count, gauss_legendre_rule);
 }
-LengthEstimate clenshaw_curtis(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate clenshaw_curtis(const Cubic& cubic, const LengthAccuracy& demand) {
   return by_panels(cubic, demand.count, clenshaw_curtis_rule);
 }
 
 double clamped(double tolerance) { return std::clamp(tolerance, kFinestTolerance, 0.1); }
 
-LengthEstimate gravesen_adaptive(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate gravesen_adaptive(const Cubic& cubic, const LengthAccuracy& demand) {
   return detail::adaptive_gravesen(whole(cubic), clamped(demand.tolerance));
 }
-LengthEstimate simpson_adaptive(const Cubic& cubic, const LengthDemand& demand) {
+LengthEstimate simpson_adaptive(const Cubic& cubic, const LengthAccuracy& demand) {
   return detail::adaptive_simpson(whole(cubic), clamped(demand.tolerance));
 }
 
@@ -178,7 +178,7 @@ double relative(double length, long double reference) {
 std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cubic, std::int64_t most,
                                     long double reference) {
   std::vector<ConvergencePoint> points;
-  const auto add = [&](const LengthDemand& demand) {
+  const auto add = [&](const LengthAccuracy& demand) {
     const LengthEstimate estimate = row.measure(cubic, demand);
     if (estimate.evaluations > most) return false;
     points.push_back({estimate.evaluations, relative(estimate.length, reference)});
@@ -219,11 +219,11 @@ std::vector<Convergence> convergence(const Cubic& cubic, std::int64_t most) {
   return all;
 }
 
-std::vector<LengthComparison> compare_lengths(const Cubic& cubic, const LengthDemand& demand) {
+std::vector<LengthComparison> compare_lengths(const Cubic& cubic, const LengthAccuracy& demand) {
   return compare_lengths(std::span<const Cubic>(&cubic, 1), demand);
 }
 
-std::vector<LengthComparison> compare_lengths(std::span<const Cubic> cubics, const LengthDemand& demand) {
+std::vector<LengthComparison> compare_lengths(std::span<const Cubic> cubics, const LengthAccuracy& demand) {
   long double reference = 0;
   for (const Cubic& cubic : cubics) reference += reference_length(cubic);
   std::vector<LengthComparison> all;

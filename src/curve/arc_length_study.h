@@ -42,7 +42,7 @@ struct LengthComparison {
 
 // Runs every method on one cubic, or sums over many (a track; error bounds add up), with `demand.count` intervals or
 // nodes. A method with a tolerance uses its usual_tolerance, or demand.tolerance if that is coarser.
-std::vector<LengthComparison> compare_lengths(const Cubic& cubic, const LengthDemand& demand);
-std::vector<LengthComparison> compare_lengths(std::span<const Cubic> cubics, const LengthDemand& demand);
+std::vector<LengthComparison> compare_lengths(const Cubic& cubic, const LengthAccuracy& demand);
+std::vector<LengthComparison> compare_lengths(std::span<const Cubic> cubics, const LengthAccuracy& demand);
 
 }  // namespace coaster::curve

@@ -15,9 +15,9 @@ using glm::dvec3;
 constexpr double kBeside = 1e-8;  // of t: that near a cusp, unit_tangent() may return either direction
 
 // B' over a step of length h from t: p + u (q + u r), u in [0,1].
-struct Step {
+struct HodographStep {
   dvec3 p, q, r;
-  Step(const CoefficientsD& c, double t, double h)
+  HodographStep(const CoefficientsD& c, double t, double h)
       : p(c.derivative(t)), q(h * c.second_derivative(t)), r(3.0 * h * h * c.c3) {}
   dvec3 chord() const { return p + 0.5 * q + (1.0 / 3.0) * r; }
 };
@@ -40,7 +40,7 @@ Frame carried_smoothly(const CoefficientsD& c, Frame frame, double t, double end
     while (h > kLeastStep && !(step_error(c, t, h) <= kStepBound)) h *= 0.5;
     if (i == kMostSteps || t + h >= end) h = end - t;
     const double next = t + h >= end ? end : t + h;
-    const dvec3 chord = Step(c, t, h).chord(), d = c.derivative(next);
+    const dvec3 chord = HodographStep(c, t, h).chord(), d = c.derivative(next);
     const double way = glm::length(chord), speed = glm::length(d);
     const dvec3 tangent = next == end ? last : speed > 0 ? d / speed : frame.forward;
     // Reflections need only the chord's direction, which the difference of two near points would lose to rounding.
@@ -72,7 +72,7 @@ Cusps cusps(const Cubic& cubic) {
 }
 
 double step_error(const CoefficientsD& curve, double t, double h) {
-  const Step s(curve, t, h);
+  const HodographStep s(curve, t, h);
   return bounded(glm::dot(s.p, glm::cross(s.q, s.r)), glm::length(s.p), glm::length(s.q), glm::length(s.r));
 }
 

@@ -25,7 +25,7 @@ Axes axes_across(dvec3 direction) {
   return {first, glm::normalize(glm::cross(direction, first))};
 }
 
-void Repair::slopes(const G2Unknowns& x, Vector& gradient, Matrix& hessian) const {
+void G2Solver::slopes(const G2Unknowns& x, Vector& gradient, Matrix& hessian) const {
   const dvec3 p = x.p(), line = x.r - x.q;
   const double u = 1.0 - x.l;
   gradient = {};
@@ -47,7 +47,7 @@ void Repair::slopes(const G2Unknowns& x, Vector& gradient, Matrix& hessian) cons
   hessian[kA][kA] = hessian[kB][kB] = 1.0;
 }
 
-void Repair::add_equal_curvature(const G2Unknowns& x, const Axes& axes, Conditions& to) const {
+void G2Solver::add_equal_curvature(const G2Unknowns& x, const Axes& axes, Conditions& to) const {
   const dvec3 line = x.r - x.q, p = x.p();
   const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p,
               b = problem_.after.anchor + x.b * problem_.after.direction - p;
@@ -68,7 +68,7 @@ void Repair::add_equal_curvature(const G2Unknowns& x, const Axes& axes, Conditio
   }
 }
 
-void Repair::add_kept(const G2Side& side, const G2Unknowns& x, int handle, int length, Conditions& to) const {
+void G2Solver::add_kept(const G2Side& side, const G2Unknowns& x, int handle, int length, Conditions& to) const {
   const dvec3 at = handle == kQ ? x.q : x.r, was = handle == kQ ? problem_.in_handle : problem_.out_handle;
   const double size = handle == kQ ? x.a : x.b;
   switch (side.keep) {
@@ -88,7 +88,7 @@ void Repair::add_kept(const G2Side& side, const G2Unknowns& x, int handle, int l
   }
 }
 
-Conditions Repair::conditions(const G2Unknowns& x, const Axes& across) const {
+Conditions G2Solver::conditions(const G2Unknowns& x, const Axes& across) const {
   Conditions all;
   add_equal_curvature(x, across, all);
   add_kept(problem_.before, x, kQ, kA, all);
@@ -125,7 +125,7 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
 // Solves one quadratic programme: [H C^T; C -e] [d; m] = [-g; -c] by Gaussian elimination with row exchanges. The small
 // e keeps the system regular where conditions are redundant; contradictory conditions leave a violation that does not
 // decrease.
-Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
+G2Solver::Step G2Solver::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
   constexpr int kMost = kUnknowns + kMostConditions;
   std::array<std::array<double, kMost>, kMost> m{};
   std::array<double, kMost> x{};
@@ -155,8 +155,8 @@ Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const M
 
 // Adds the terms that Gauss-Newton leaves out: the second derivatives of the movements and, times the multipliers, of
 // the conditions. All are polynomials, so central differences of the exact slopes are good to 1e-8.
-void Repair::bend(const G2Unknowns& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
-                  Matrix& hessian) const {
+void G2Solver::bend(const G2Unknowns& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
+                    Matrix& hessian) const {
   for (int j = 0; j < kUnknowns; ++j) {
     if (frozen(j)) continue;
     const double h = 1e-4 * (j == kL ? 1.0 : scale_);
@@ -177,7 +177,7 @@ void Repair::bend(const G2Unknowns& x, const Axes& across, const std::array<doub
 
 // Returns the longest part of a step that keeps handles from reversing: lengths fall to a quarter at most, and so does
 // the fraction of each side.
-double Repair::longest(const G2Unknowns& x, const Vector& d) const {
+double G2Solver::longest(const G2Unknowns& x, const Vector& d) const {
   double part = 1.0;
   const auto keep = [&](double value, double change) {
     if (change < 0.0 && value + part * change < 0.25 * value) part = -0.75 * value / change;
@@ -189,7 +189,7 @@ double Repair::longest(const G2Unknowns& x, const Vector& d) const {
   return part;
 }
 
-G2Solution Repair::solve() const {
+G2Solution G2Solver::solve() const {
   constexpr int kMostIterations = 60, kMostHalvings = 24;
   constexpr double kLeast = 1.0 / 16;  // of the original length: shorter handles are no repair, and curvature, divided
                                        // by their square, loses its digits
@@ -263,7 +263,7 @@ bool usable(const G2Problem& p) {
 
 G2Solution solve_g2(const G2Problem& problem) {
   if (!usable(problem)) return {};
-  G2Solution solution = detail::Repair(problem).solve();
+  G2Solution solution = detail::G2Solver(problem).solve();
   solution.in_handle += problem.position;
   solution.position += problem.position;
   solution.out_handle += problem.position;

@@ -42,9 +42,9 @@ struct Conditions {
   }
 };
 
-class Repair {
+class G2Solver {
  public:
-  explicit Repair(const G2Problem& problem) : problem_(problem) {
+  explicit G2Solver(const G2Problem& problem) : problem_(problem) {
     // Coordinates relative to the joint, so that problems far from the origin lose no digits.
     const dvec3 origin = problem.position;
     problem_.in_handle -= origin;

@@ -66,7 +66,7 @@ double track_error_bound(double extent, double size) { return (9.0 * extent + 43
 void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points, InstructionSet on) {
   COASTER_CHECK(points.size() >= 2, "a polyline has at least one step");
   const int n = static_cast<int>(points.size()) - 1;
-  const detail::Job job{floats({&curve, 1}), 1, n, n + 1, &points[0].x};
+  const detail::KernelJob job{floats({&curve, 1}), 1, n, n + 1, &points[0].x};
   const detail::Kernels& k = kernels(on);
   (method == VectorMethod::horner ? k.positions_by_horner : k.positions_by_differences)(job);
 }
@@ -83,7 +83,7 @@ void track_points(std::span<const PreparedCubic> curves, int steps, VertexLayout
                 "`out` has the size of the layout");
   if (curves.empty()) return;
   const int points = layout == VertexLayout::polylines ? steps + 1 : steps;
-  const detail::Job job{floats(curves), curves.size(), steps, points, &out[0].x};
+  const detail::KernelJob job{floats(curves), curves.size(), steps, points, &out[0].x};
   const detail::Kernels& k = kernels(on);
   (may_stream(out, points) ? k.track_positions_streamed : k.track_positions)(job);
   if (layout == VertexLayout::chain) out.back() = curves.back().cubic.p3;

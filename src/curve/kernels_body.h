@@ -17,7 +17,7 @@
 
 namespace {
 
-using coaster::curve::detail::Job;
+using coaster::curve::detail::KernelJob;
 
 // Eight floats side by side: one AVX register, or two of the baseline's.
 typedef float V4 __attribute__((vector_size(16)));
@@ -82,11 +82,11 @@ inline Rows shifted(const Rows& r, float w) {
 }
 
 // c[k][i]: coefficient i in the lanes of vector k of a group.
-struct Pattern {
+struct GroupCoefficients {
   V8 c[3][4];
 };
-inline Pattern pattern(const Rows& rows) {
-  Pattern p;
+inline GroupCoefficients pattern(const Rows& rows) {
+  GroupCoefficients p;
   for (int i = 0; i < 4; ++i) {
     const V4 v = rows.c[i];
 #ifdef __AVX2__
@@ -115,9 +115,9 @@ inline V8 horner(const V8* c, V8 w) { return c[0] + w * (c[1] + w * (c[2] + w * 
 
 // Differences of a cubic in w, one group long, for step 1: value, first, second, third. The polynomials in w are
 // constants.
-struct Starts {
+struct DifferenceStarts {
   alignas(32) float w[24], first2[24], first3[24], second3[24];
-  constexpr Starts() : w(), first2(), first3(), second3() {
+  constexpr DifferenceStarts() : w(), first2(), first3(), second3() {
     for (int i = 0; i < 24; ++i) {
       const int vertex = i / 3;
       const float x = static_cast<float>(vertex) * 0.125f;
@@ -128,17 +128,17 @@ struct Starts {
     }
   }
 };
-inline constexpr Starts kStarts{};
+inline constexpr DifferenceStarts kStarts{};
 
-struct State {
+struct DifferenceState {
   V8 value, first, second, third;
 };
-inline State start(const V8* c, int k) {
-  const Starts& s = kStarts;
+inline DifferenceState start(const V8* c, int k) {
+  const DifferenceStarts& s = kStarts;
   return {horner(c, load(s.w + 8 * k)), c[1] + load(s.first2 + 8 * k) * c[2] + load(s.first3 + 8 * k) * c[3],
           c[2] + c[2] + load(s.second3 + 8 * k) * c[3], all(6) * c[3]};
 }
-inline void advance(State& s) {
+inline void advance(DifferenceState& s) {
   s.value = s.value + s.first;
   s.first = s.first + s.second;
   s.second = s.second + s.third;
@@ -152,7 +152,7 @@ inline void put(float* p, V8 v) {
 
 // Writes groups by Horner's rule, starting at vertex `first`.
 template <bool S>
-inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
+inline void horner_groups(const GroupCoefficients& p, int first, int groups, float* out) {
   V8 u[3];
   for (int k = 0; k < 3; ++k) u[k] = vertex_numbers(k) + all(static_cast<float>(first));
   for (int g = 0; g < groups; ++g, out += 24)
@@ -166,11 +166,11 @@ inline void horner_groups(const Pattern& p, int first, int groups, float* out) {
 // first point, which is added when storing, so each value rounds only once at the size of the coordinates, for one more
 // addition.
 template <bool S, bool Careful>
-inline void difference_run(Pattern p, int groups, float* out) {
+inline void difference_run(GroupCoefficients p, int groups, float* out) {
   const V8 base0 = p.c[0][0], base1 = p.c[1][0], base2 = p.c[2][0];
   if constexpr (Careful)
     for (int k = 0; k < 3; ++k) p.c[k][0] = all(0);
-  State a = start(p.c[0], 0), b = start(p.c[1], 1), c = start(p.c[2], 2);
+  DifferenceState a = start(p.c[0], 0), b = start(p.c[1], 1), c = start(p.c[2], 2);
 #pragma GCC unroll 8
   for (int g = 0; g < groups; ++g) {
     put<S>(out + 24 * g, Careful ? a.value + base0 : a.value);
@@ -195,7 +195,7 @@ inline void difference_groups(const Rows& rows, int groups, float* out) {
 }
 
 // Writes the vertices after the last whole group, by Horner's rule counted in vertices.
-inline void last_vertices(const Pattern& p, int points, float* out) {
+inline void last_vertices(const GroupCoefficients& p, int points, float* out) {
   if (points >= kGroup) {  // repeat the last group so that it ends at the curve's end
     horner_groups<false>(p, points - kGroup, 1, out + static_cast<std::ptrdiff_t>(points - kGroup) * 3);
   } else {
@@ -207,7 +207,7 @@ inline void last_vertices(const Pattern& p, int points, float* out) {
 
 // Writes the vertices of all curves; the last of steps + 1 vertices is exactly p3.
 template <bool Differences, bool S, bool Careful>
-void run(const Job& job) {
+void run(const KernelJob& job) {
   const float inv = 1.0f / static_cast<float>(job.steps);
   const float* cubic = job.cubics;
   float* out = job.out;
@@ -216,7 +216,7 @@ void run(const Job& job) {
   for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * 3) {
     if constexpr (Differences) difference_groups<S, Careful>(rows_of(cubic, kGroup * inv), groups, out);
     if (!Differences || rest) {
-      const Pattern p = pattern(rows_of(cubic, inv));
+      const GroupCoefficients p = pattern(rows_of(cubic, inv));
       if constexpr (!Differences) horner_groups<S>(p, 0, groups, out);
       if (rest) last_vertices(p, inner, out);
     }
@@ -225,10 +225,10 @@ void run(const Job& job) {
   }
 }
 
-void positions_by_horner(const Job& job) { run<false, false, false>(job); }
-void positions_by_differences(const Job& job) { run<true, false, true>(job); }
-void track_positions(const Job& job) { run<true, false, false>(job); }
-void track_positions_streamed(const Job& job) { run<true, true, false>(job); }
+void positions_by_horner(const KernelJob& job) { run<false, false, false>(job); }
+void positions_by_differences(const KernelJob& job) { run<true, false, true>(job); }
+void track_positions(const KernelJob& job) { run<true, false, false>(job); }
+void track_positions_streamed(const KernelJob& job) { run<true, true, false>(job); }
 
 constexpr coaster::curve::detail::Kernels kKernels{positions_by_horner, positions_by_differences, track_positions,
                                                    track_positions_streamed};

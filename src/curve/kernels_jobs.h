@@ -6,7 +6,7 @@
 
 namespace coaster::curve::detail {
 
-struct Job {
+struct KernelJob {
   const float* cubics;  // PreparedCubic as 24 floats: p0 p1 p2 p3, c0 c1 c2 c3
   std::size_t count;
   int steps;   // n
@@ -18,10 +18,10 @@ struct Job {
 inline constexpr int kRun = 8;
 
 struct Kernels {
-  void (*positions_by_horner)(const Job&);
-  void (*positions_by_differences)(const Job&);  // the careful form
-  void (*track_positions)(const Job&);           // the fast form
-  void (*track_positions_streamed)(const Job&);  // `out` aligned to 32 bytes, points a multiple of 8
+  void (*positions_by_horner)(const KernelJob&);
+  void (*positions_by_differences)(const KernelJob&);  // the careful form
+  void (*track_positions)(const KernelJob&);           // the fast form
+  void (*track_positions_streamed)(const KernelJob&);  // `out` aligned to 32 bytes, points a multiple of 8
 };
 
 const Kernels& baseline_kernels();

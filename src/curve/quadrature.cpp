@@ -26,7 +26,7 @@ long double cosine_of_share(int p, int q) {
   return cosine_small(kPi * static_cast<long double>(p) / static_cast<long double>(q));
 }
 
-struct Stored {
+struct StoredRule {
   std::vector<long double> nodes, weights;
   std::vector<double> nodes_d, weights_d;
 
@@ -50,8 +50,8 @@ LegendrePair legendre_pair(int n, long double x) {
 
 // Newton's method on P_n from a guess within 1/n^2 of the node, so that four steps reach the rounding error; P_n' = n
 // (x P_n - P_(n-1)) / (x^2 - 1), w = 2 / ((1 - x^2) P_n'^2).
-Stored make_gauss_legendre(int n) {
-  Stored rule;
+StoredRule make_gauss_legendre(int n) {
+  StoredRule rule;
   const auto size = static_cast<std::size_t>(n);
   rule.nodes.assign(size, 0);
   rule.weights.assign(size, 0);
@@ -73,8 +73,8 @@ Stored make_gauss_legendre(int n) {
 
 // w_k = c_k/n (1 - sum_j b_j / (4j^2 - 1) cos(2 j k pi / n)), c = 1 at the ends and 2 inside, b = 1 at j = n/2 and 2
 // before.
-Stored make_clenshaw_curtis(int n) {
-  Stored rule;
+StoredRule make_clenshaw_curtis(int n) {
+  StoredRule rule;
   for (int k = 0; k <= n; ++k) {
     long double sum = 1;
     for (int j = 1; j <= n / 2; ++j) {
@@ -90,15 +90,15 @@ Stored make_clenshaw_curtis(int n) {
   return rule;
 }
 
-std::vector<Stored> all_rules(Stored (*make)(int)) {
-  std::vector<Stored> rules(1);
+std::vector<StoredRule> all_rules(StoredRule (*make)(int)) {
+  std::vector<StoredRule> rules(1);
   for (int n = 1; n <= kMaxRule; ++n) rules.push_back(make(n));
   return rules;
 }
 
-const Stored& stored_gauss_legendre(int n) {
+const StoredRule& stored_gauss_legendre(int n) {
   COASTER_CHECK(n >= 1 && n <= kMaxRule, "a rule of 1 to kMaxRule nodes");
-  static const std::vector<Stored> rules = all_rules(make_gauss_legendre);
+  static const std::vector<StoredRule> rules = all_rules(make_gauss_legendre);
   return rules[static_cast<std::size_t>(n)];
 }
 
@@ -106,19 +106,19 @@ const Stored& stored_gauss_legendre(int n) {
 
 long double legendre(int k, long double x) { return k == 0 ? 1 : legendre_pair(k, x).value; }
 
-Rule gauss_legendre_rule(int n) {
-  const Stored& rule = stored_gauss_legendre(n);
+QuadratureRule gauss_legendre_rule(int n) {
+  const StoredRule& rule = stored_gauss_legendre(n);
   return {rule.nodes_d, rule.weights_d};
 }
 
 RuleLongDouble gauss_legendre_rule_long_double(int n) {
-  const Stored& rule = stored_gauss_legendre(n);
+  const StoredRule& rule = stored_gauss_legendre(n);
   return {rule.nodes, rule.weights};
 }
 
-Rule clenshaw_curtis_rule(int n) {
+QuadratureRule clenshaw_curtis_rule(int n) {
   COASTER_CHECK(n >= 1 && n <= kMaxRule, "a rule of 1 to kMaxRule intervals");
-  static const std::vector<Stored> rules = all_rules(make_clenshaw_curtis);
+  static const std::vector<StoredRule> rules = all_rules(make_clenshaw_curtis);
   return {rules[static_cast<std::size_t>(n)].nodes_d, rules[static_cast<std::size_t>(n)].weights_d};
 }
 

@@ -10,7 +10,7 @@ namespace coaster::curve {
 constexpr int kMaxRule = 64;  // the largest cached n
 
 // Ascending nodes in [-1,1], symmetric about 0, and their positive weights, which sum to 2. Accurate to 1 ulp.
-struct Rule {
+struct QuadratureRule {
   std::span<const double> nodes, weights;
 };
 struct RuleLongDouble {
@@ -18,12 +18,12 @@ struct RuleLongDouble {
 };
 
 // Returns the rule of n nodes, n in [1, kMaxRule].
-Rule gauss_legendre_rule(int n);
+QuadratureRule gauss_legendre_rule(int n);
 RuleLongDouble gauss_legendre_rule_long_double(int n);
 
 // Returns the rule of n intervals, n in [1, kMaxRule]: the n + 1 nodes are cos(k pi / n), both ends included. doi
 // 10.1007/BF01386223
-Rule clenshaw_curtis_rule(int n);
+QuadratureRule clenshaw_curtis_rule(int n);
 
 // Returns the Legendre polynomial P_k(x), k >= 0, by the three-term recurrence.
 long double legendre(int k, long double x);

@@ -11,25 +11,25 @@ namespace coaster::exchange {
 namespace {
 
 // Reads a text of at least one character and at most the limit.
-bool read_text(Fields& fields, std::string_view member, std::string& to) {
+bool read_text(JsonFieldReader& fields, std::string_view member, std::string& to) {
   if (!fields.text(member, to)) return false;
   if (to.empty()) return fields.fail(member, "expected a text, found \"\"");
   return to.size() <= kMaxChallengeText ||
          fields.fail(member, fmt::format("longer than the limit of {} bytes", kMaxChallengeText));
 }
 
-bool read_challenge_head(Fields& fields, ChallengeFile& to) {
+bool read_challenge_head(JsonFieldReader& fields, ChallengeFile& to) {
   constexpr double kShortest = 1;  // s
   return fields.head(kChallengeFormat, kChallengeVersion) && read_text(fields, "name", to.name) &&
          read_text(fields, "teaches", to.teaches) && fields.named("judged", to.judged) &&
          (to.judged != JudgedWhen::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds));
 }
 
-bool read_rules(Fields& fields, RuleList which, LoadedChallenge& to) {
+bool read_rules(JsonFieldReader& fields, RuleList which, LoadedChallenge& to) {
   const std::string_view name = base::name_of(which);
   if (which != RuleList::goals && !fields.has(name)) return true;
   std::vector<ChallengeRule>& rules = to.challenge.rules[static_cast<std::size_t>(which)];
-  const auto read_rule = [&](Fields& entry, auto) {
+  const auto read_rule = [&](JsonFieldReader& entry, auto) {
     ChallengeRule& rule = rules.emplace_back();
     if (!read_text(entry, "expect", rule.expect) || !read_text(entry, "text", rule.text)) return false;
     (void)entry.unknown(to.warnings);
@@ -40,7 +40,7 @@ bool read_rules(Fields& fields, RuleList which, LoadedChallenge& to) {
 }
 
 // Reads an optional list of texts.
-bool read_texts(Fields& fields, std::string_view member, std::size_t most, std::vector<std::string>& to) {
+bool read_texts(JsonFieldReader& fields, std::string_view member, std::size_t most, std::vector<std::string>& to) {
   if (!fields.has(member)) return true;
   const Json* const list = fields.list(member, most);
   for (std::size_t i = 0; list && i < list->size(); ++i) {
@@ -55,14 +55,14 @@ bool read_texts(Fields& fields, std::string_view member, std::size_t most, std::
 
 // Reads the start track: a file next to the challenge, or a whole track as a member. Errors in it are reported as for
 // any track.
-bool read_track(Fields& fields, LoadedChallenge& to, const std::filesystem::path& folder, base::Files& files) {
+bool read_track(JsonFieldReader& fields, LoadedChallenge& to, const std::filesystem::path& folder, base::Files& files) {
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
   if (const Json* const inside = fields.has_object("track") ? fields.object("track") : nullptr) {
     track = parse_track(json_line(*inside), "track");
   } else {
     if (!read_text(fields, "track", to.challenge.track)) return false;
     const std::filesystem::path path = folder / to.challenge.track;
-    const Format* const format = format_of(path);
+    const TrackFormat* const format = format_of(path);
     if (format == nullptr || !format->parse)
       return fields.reject("track",
                            "the start track: an object, or a file that ends in " + known_endings(FormatUse::read));
@@ -78,7 +78,7 @@ bool read_track(Fields& fields, LoadedChallenge& to, const std::filesystem::path
 
 base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name,
                                               const std::filesystem::path& folder, base::Files& files) {
-  const auto read = [&](Fields& fields, LoadedChallenge& to) {
+  const auto read = [&](JsonFieldReader& fields, LoadedChallenge& to) {
     if (!read_challenge_head(fields, to.challenge)) return false;
     for (std::size_t which = 0; which < base::count_of<RuleList>(); ++which)
       if (!read_rules(fields, static_cast<RuleList>(which), to)) return false;

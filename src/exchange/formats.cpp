@@ -31,9 +31,9 @@ namespace {
 base::Status unfit_import(std::string_view name, std::string_view words) {
   return {base::Code::bad_file, fmt::format("{}: error: {} only for lists of points", name, words)};
 }
-base::Result<LoadedTrack> parse_csv(std::string_view bytes, std::string_view name, const Import& import) {
+base::Result<LoadedTrack> parse_csv(std::string_view bytes, std::string_view name, const ImportOptions& import) {
   if (is_points(bytes, false)) return parse_points(bytes, name, import);
-  if (!(import == Import{.origin = import.origin})) return unfit_import(name, "up, scale, smooth and bank are");
+  if (!(import == ImportOptions{.origin = import.origin})) return unfit_import(name, "up, scale, smooth and bank are");
   return parse_nl2_csv(bytes, name, import.origin);
 }
 template <auto parse>
@@ -44,30 +44,30 @@ std::string print_rows(const world::Document& document) { return print_nl2_csv(d
 base::Status check_rows(const world::Document& document) { return check_nl2_csv(document, kNl2Spacing); }
 
 // The file's bytes, or the pasted lines.
-base::Result<std::string> bytes_of(base::Files& files, const std::filesystem::path& path, const Format& format) {
+base::Result<std::string> bytes_of(base::Files& files, const std::filesystem::path& path, const TrackFormat& format) {
   return is_pasted(path.native()) ? path.string() : files.read(path, format.most_bytes);
 }
 
-constexpr Format points_format(std::string_view ending) {
+constexpr TrackFormat points_format(std::string_view ending) {
   return {ending, "list of points", as_proposed<parse_points>, nullptr,     false,
           false,  nullptr,          base::kMaxFileBytes,       parse_points};
 }
 
 constexpr std::array kFormats{
-    Format{".json", "coaster track", parse_track, print_track, false, true},
-    Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", as_proposed<parse_csv>, print_rows, false, false, check_rows,
-           base::kMaxFileBytes, parse_csv},
-    Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
-           kMaxNl2ElemBytes, nullptr, true},
+    TrackFormat{".json", "coaster track", parse_track, print_track, false, true},
+    TrackFormat{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
+    TrackFormat{".csv", "NoLimits 2 track spline", as_proposed<parse_csv>, print_rows, false, false, check_rows,
+                base::kMaxFileBytes, parse_csv},
+    TrackFormat{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
+                kMaxNl2ElemBytes, nullptr, true},
     points_format(".xyz"),
     points_format(".txt"),
     points_format(".sp"),
-    Format{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
-    Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
-    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid, base::kMaxFileBytes, nullptr, false,
-           obj_materials},
-    Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
+    TrackFormat{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
+    TrackFormat{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
+    TrackFormat{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid, base::kMaxFileBytes, nullptr,
+                false, obj_materials},
+    TrackFormat{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
 // m: no coaster is half as long, or a third as high from its lowest to its highest point.
@@ -75,7 +75,7 @@ constexpr double kMostLength = 20'000, kMostHeight = 600;
 
 // Returns "a.txt: error: expected a file ending in .json"; says if it is a folder, and names a format that works only
 // in the other direction.
-std::string unfit_ending(const std::filesystem::path& path, const Format* format, FormatUse direction) {
+std::string unfit_ending(const std::filesystem::path& path, const TrackFormat* format, FormatUse direction) {
   const std::string_view other = direction == FormatUse::read ? "written" : "read";
   std::error_code ignored;
   return fmt::format("{}: error: {}{}expected a file ending in {}", path.string(),
@@ -117,7 +117,7 @@ void bank(LoadedTrack& loaded) {
 
 // Warns of an import that is too large for a coaster: its positions may have another unit. Forces are no sign of that:
 // without losses they are the same at every scale. Warns of rows that are far from the origin, too.
-void warn_of_unit(LoadedTrack& loaded, const std::string& name, const Format& format, bool points) {
+void warn_of_unit(LoadedTrack& loaded, const std::string& name, const TrackFormat& format, bool points) {
   const world::Document& document = loaded.document;
   if (document.track.knots.empty()) return;
   glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
@@ -150,7 +150,7 @@ void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
 
 // Returns the track with the rails for a format that does not hold everything, or the reason why they cannot be
 // printed.
-base::Result<world::Document> rails_of(const world::Document& document, const Format& format) {
+base::Result<world::Document> rails_of(const world::Document& document, const TrackFormat& format) {
   const sim::DerivedTrack derived = sim::shapes_of(document);
   const double height = world::rails_height(document);
   if (const std::vector<sim::Fold> folds = sim::folds_of(derived, height); !folds.empty())
@@ -172,8 +172,8 @@ std::string_view wrapping(std::string_view bytes) {
   return {};
 }
 
-base::Status print_to(base::Files& files, const std::filesystem::path& path, const Format& format,
-                      const world::Document& document, std::uint64_t* content, base::Replaces replaces) {
+base::Status print_to(base::Files& files, const std::filesystem::path& path, const TrackFormat& format,
+                      const world::Document& document, std::uint64_t* content, base::ReplaceableFiles replaces) {
   if (format.check)
     if (const base::Status fit = format.check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
@@ -191,7 +191,7 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
   return files.write_atomic(path, bytes, replaces);
 }
 
-bool is_list(const Format& format, std::string_view bytes) {
+bool is_list(const TrackFormat& format, std::string_view bytes) {
   return format.parse_watched == parse_points || (format.parse_watched && is_points(bytes, false));
 }
 
@@ -200,32 +200,33 @@ bool is_list(const Format& format, std::string_view bytes) {
 bool is_pasted(std::string_view path) { return path.find('\n') != std::string_view::npos && is_points(path); }
 
 std::filesystem::path materials_of(const std::filesystem::path& path) {
-  const Format* const format = format_of(path);
+  const TrackFormat* const format = format_of(path);
   return format && format->materials ? std::filesystem::path(path).replace_extension(".mtl") : std::filesystem::path();
 }
 
-std::span<const Format> formats() { return kFormats; }
+std::span<const TrackFormat> formats() { return kFormats; }
 
-const Format* format_of(const std::filesystem::path& path) {
+const TrackFormat* format_of(const std::filesystem::path& path) {
   const std::string ending = is_pasted(path.native()) ? ".xyz" : base::lower(path.extension().string());
   const auto found =
-      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const TrackFormat& f) { return f.ending == ending; });
   return found == kFormats.end() ? nullptr : &*found;
 }
 
 std::string known_endings(FormatUse direction) {
   std::vector<std::string> endings;
-  for (const Format& f : kFormats)
+  for (const TrackFormat& f : kFormats)
     if (direction == FormatUse::read ? f.parse != nullptr : f.print != nullptr) endings.emplace_back(f.ending);
   return base::alternatives(endings);
 }
 
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import) {
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
+                                     const ImportOptions& import) {
   const bool pasted = is_pasted(path.native());
   const std::string name = pasted ? "Pasted points" : path.string();
-  const Format* const format = format_of(path);
+  const TrackFormat* const format = format_of(path);
   const bool link = !pasted && is_link(name);
-  if (!(import == Import{}) && (link || (format && !format->parse_watched)))
+  if (!(import == ImportOptions{}) && (link || (format && !format->parse_watched)))
     return unfit_import(name, "origin is only for rows and points, the other words are");
   if (link) return parse_link(name);
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, FormatUse::read)};
@@ -246,7 +247,7 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
 }
 
 std::optional<ImportQuestion> question_of(base::Files& files, const std::filesystem::path& path) {
-  const Format* const format = format_of(path);
+  const TrackFormat* const format = format_of(path);
   if (!format || !format->parse_watched) return std::nullopt;
   const base::Result<std::string> bytes = bytes_of(files, path, *format);
   if (bytes && !is_list(*format, *bytes))
@@ -260,8 +261,8 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
-                        std::uint64_t* content, base::Replaces replaces) {
-  const Format* const format = format_of(path);
+                        std::uint64_t* content, base::ReplaceableFiles replaces) {
+  const TrackFormat* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, FormatUse::write)};
   if (!format->whole && document.curve == world::TrackCurve::heartline) {
     const base::Result<world::Document> rails = rails_of(document, *format);

@@ -11,7 +11,7 @@
 
 namespace coaster::exchange {
 
-struct Format {
+struct TrackFormat {
   std::string_view ending;  // with the dot, in lower case; paths may use either case
   std::string_view label;   // for messages and lists
   base::Result<LoadedTrack> (*parse)(std::string_view bytes,
@@ -24,13 +24,13 @@ struct Format {
   std::size_t most_bytes = base::kMaxFileBytes;  // larger files are rejected before they are read, and not written
   // Parses by the words of an import and reports progress, for rows and points; null for the other formats.
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
-                                             const Import& import) = nullptr;
+                                             const ImportOptions& import) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
   std::string (*materials)() = nullptr;  // prints the file of materials_of()
 };
 
 // Returns the table; the project's own format is first.
-std::span<const Format> formats();
+std::span<const TrackFormat> formats();
 
 // True for the lines of a list of points in place of a path.
 bool is_pasted(std::string_view path);
@@ -39,16 +39,17 @@ bool is_pasted(std::string_view path);
 std::filesystem::path materials_of(const std::filesystem::path& path);
 
 // Returns the row for the path's extension, or null.
-const Format* format_of(const std::filesystem::path& path);
+const TrackFormat* format_of(const std::filesystem::path& path);
 
 // Read or write the file in the format of its extension. An unknown extension is refused with the list of those known
 // for that direction. A shared link is read like a file (exchange/own/share_link.h). A track from a format that does
 // not hold everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with
 // which its ride completes (sim/ride/simulated_ride.h), if there is one; the note or a warning says so.
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import = {});
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
+                                     const ImportOptions& import = {});
 // What a window asks before it opens a list of points, or rows that begin far from the origin.
 struct ImportQuestion {
-  Import proposed;         // for rows without axis and scale
+  ImportOptions proposed;  // for rows without axis and scale
   std::size_t points = 0;  // 0: rows
   double length = 0;       // of the list, in its units
   glm::dvec3 size{0};      // of its bounds
@@ -59,7 +60,8 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 // Writes a track. Formats that do not hold everything get the rails, even of a heartline track; they are refused where
 // rails fold. `content` gets the hash of the bytes as soon as they are printed.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
-                        std::uint64_t* content = nullptr, base::Replaces replaces = base::Replaces::made);
+                        std::uint64_t* content = nullptr,
+                        base::ReplaceableFiles replaces = base::ReplaceableFiles::made);
 
 // Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
 enum class FormatUse { read, write };

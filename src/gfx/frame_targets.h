@@ -29,7 +29,7 @@ class FrameTargets {
   // Resolves, binds the resolved framebuffer, and sets the viewport to the whole picture.
   void finish();
 
-  const Target* resolved() const { return resolved_ ? &*resolved_ : nullptr; }
+  const RenderTarget* resolved() const { return resolved_ ? &*resolved_ : nullptr; }
 
  private:
   const Gl* gl_;
@@ -37,7 +37,7 @@ class FrameTargets {
   std::string notice_;
   bool unseen_ = false;
   // `scene_` exists if multisampled; otherwise the passes draw into `resolved_`.
-  std::optional<Target> scene_, resolved_;
+  std::optional<RenderTarget> scene_, resolved_;
 };
 
 }  // namespace coaster::gfx

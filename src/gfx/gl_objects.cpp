@@ -18,15 +18,15 @@ std::string log_of(const Gl& gl, GLuint id, bool program) {
 }
 
 // A stage of a program; `extension`: of its file.
-struct Stage {
+struct ShaderStage {
   GLenum kind;
   const char* extension;
   std::string_view source;
 };
 
-base::Result<Object> compile(const Gl& gl, std::string_view name, std::string_view header, std::string_view common,
-                             const Stage& stage) {
-  Object shader(gl, gl.CreateShader(stage.kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
+base::Result<GlObject> compile(const Gl& gl, std::string_view name, std::string_view header, std::string_view common,
+                               const ShaderStage& stage) {
+  GlObject shader(gl, gl.CreateShader(stage.kind), [](const Gl& g, GLuint id) { g.DeleteShader(id); });
   const std::string text = fmt::format("{}{}\n#line 1\n{}", header, common, stage.source);
   const char* const whole = text.c_str();
   gl.ShaderSource(shader.id(), 1, &whole, nullptr);
@@ -39,8 +39,8 @@ base::Result<Object> compile(const Gl& gl, std::string_view name, std::string_vi
   return shader;
 }
 
-Object make_renderbuffer(const Gl& gl, GLenum format, int width, int height, int samples) {
-  Object made = generate<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>(gl);
+GlObject make_renderbuffer(const Gl& gl, GLenum format, int width, int height, int samples) {
+  GlObject made = generate<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>(gl);
   gl.BindRenderbuffer(GL_RENDERBUFFER, made.id());
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
   return made;
@@ -48,8 +48,8 @@ Object make_renderbuffer(const Gl& gl, GLenum format, int width, int height, int
 
 }  // namespace
 
-Object make_texture(const Gl& gl, GLint min_filter, GLint mag_filter) {
-  Object made = generate<&Gl::GenTextures, &Gl::DeleteTextures>(gl);
+GlObject make_texture(const Gl& gl, GLint min_filter, GLint mag_filter) {
+  GlObject made = generate<&Gl::GenTextures, &Gl::DeleteTextures>(gl);
   gl.BindTexture(GL_TEXTURE_2D, made.id());
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min_filter);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag_filter);
@@ -58,8 +58,8 @@ Object make_texture(const Gl& gl, GLint min_filter, GLint mag_filter) {
   return made;
 }
 
-base::Result<Target> make_target(const Gl& gl, int width, int height, int samples) {
-  Target target;
+base::Result<RenderTarget> make_target(const Gl& gl, int width, int height, int samples) {
+  RenderTarget target;
   target.width = width, target.height = height, target.samples = samples;
   target.framebuffer = make_framebuffer(gl);
   target.colour = make_renderbuffer(gl, GL_RGBA8, width, height, samples);
@@ -80,17 +80,17 @@ std::string_view shader_header(bool es, bool tessellation) {
   return tessellation ? "#version 400 core\n" : "#version 330 core\n";
 }
 
-base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) {
-  const Stage stages[] = {{GL_VERTEX_SHADER, "vert", sources.vertex},
-                          {GL_TESS_CONTROL_SHADER, "tesc", sources.tessellation_control},
-                          {GL_TESS_EVALUATION_SHADER, "tese", sources.tessellation_evaluation},
-                          {GL_GEOMETRY_SHADER, "geom", sources.geometry},
-                          {GL_FRAGMENT_SHADER, "frag", sources.fragment}};
+base::Result<ShaderProgram> make_program(const Gl& gl, const ProgramSources& sources) {
+  const ShaderStage stages[] = {{GL_VERTEX_SHADER, "vert", sources.vertex},
+                                {GL_TESS_CONTROL_SHADER, "tesc", sources.tessellation_control},
+                                {GL_TESS_EVALUATION_SHADER, "tese", sources.tessellation_evaluation},
+                                {GL_GEOMETRY_SHADER, "geom", sources.geometry},
+                                {GL_FRAGMENT_SHADER, "frag", sources.fragment}};
   const std::string_view header = shader_header(gl.es, !sources.tessellation_evaluation.empty());
-  Program program{Object(gl, gl.CreateProgram(), [](const Gl& g, GLuint id) { g.DeleteProgram(id); }), &gl};
+  ShaderProgram program{GlObject(gl, gl.CreateProgram(), [](const Gl& g, GLuint id) { g.DeleteProgram(id); }), &gl};
   const GLuint id = program.object.id();
-  std::vector<Object> shaders;
-  for (const Stage& stage : stages) {
+  std::vector<GlObject> shaders;
+  for (const ShaderStage& stage : stages) {
     if (stage.source.empty()) continue;
     auto shader = compile(gl, sources.name, header, sources.common, stage);
     if (!shader) return shader.status();
@@ -124,7 +124,7 @@ void float_attribute(const Gl& gl, GLuint location, int components, std::size_t 
 
 GpuTimer::GpuTimer(const Gl& gl) : gl_(&gl) {
   if (!gl.has_timers()) return;
-  for (Object& query : ring_) query = generate<&Gl::GenQueries, &Gl::DeleteQueries>(gl);
+  for (GlObject& query : ring_) query = generate<&Gl::GenQueries, &Gl::DeleteQueries>(gl);
 }
 
 void GpuTimer::begin() {

@@ -14,23 +14,23 @@
 namespace coaster::gfx {
 
 // One GL name, deleted by the destructor. Move-only.
-class Object {
+class GlObject {
  public:
   using Destroy = void (*)(const Gl&, GLuint);
-  Object() = default;
-  Object(const Gl& gl, GLuint id, Destroy destroy) : gl_(&gl), id_(id), destroy_(destroy) {}
-  Object(Object&& other) noexcept { swap(other); }
-  Object& operator=(Object&& other) noexcept {
+  GlObject() = default;
+  GlObject(const Gl& gl, GLuint id, Destroy destroy) : gl_(&gl), id_(id), destroy_(destroy) {}
+  GlObject(GlObject&& other) noexcept { swap(other); }
+  GlObject& operator=(GlObject&& other) noexcept {
     swap(other);
     return *this;
   }
-  ~Object() {
+  ~GlObject() {
     if (id_ != 0) destroy_(*gl_, id_);
   }
   GLuint id() const { return id_; }
 
  private:
-  void swap(Object& other) {
+  void swap(GlObject& other) {
     std::swap(gl_, other.gl_);
     std::swap(id_, other.id_);
     std::swap(destroy_, other.destroy_);
@@ -42,29 +42,29 @@ class Object {
 
 // Creates one name by a function like glGenBuffers, to be deleted by its opposite.
 template <auto Generate, auto Delete>
-Object generate(const Gl& gl) {
+GlObject generate(const Gl& gl) {
   GLuint id = 0;
   (gl.*Generate)(1, &id);
   return {gl, id, [](const Gl& g, GLuint name) { (g.*Delete)(1, &name); }};
 }
-inline Object make_buffer(const Gl& gl) { return generate<&Gl::GenBuffers, &Gl::DeleteBuffers>(gl); }
-inline Object make_vertex_array(const Gl& gl) { return generate<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>(gl); }
-inline Object make_framebuffer(const Gl& gl) { return generate<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>(gl); }
+inline GlObject make_buffer(const Gl& gl) { return generate<&Gl::GenBuffers, &Gl::DeleteBuffers>(gl); }
+inline GlObject make_vertex_array(const Gl& gl) { return generate<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>(gl); }
+inline GlObject make_framebuffer(const Gl& gl) { return generate<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>(gl); }
 // Binds the new texture to the active unit and clamps it at its edges.
-Object make_texture(const Gl& gl, GLint min_filter, GLint mag_filter);
+GlObject make_texture(const Gl& gl, GLint min_filter, GLint mag_filter);
 
 // Colour and depth of one size. samples 0: single-sampled.
-struct Target {
-  Object framebuffer, colour, depth;
+struct RenderTarget {
+  GlObject framebuffer, colour, depth;
   int width = 0, height = 0, samples = 0;
 };
 // Code::graphics if the driver rejects the combination.
-base::Result<Target> make_target(const Gl& gl, int width, int height, int samples);
+base::Result<RenderTarget> make_target(const Gl& gl, int width, int height, int samples);
 
 // The uniforms of a program, set by name while the program is in use. Names that the compiler has optimised away are
 // ignored. An empty program ignores everything.
-struct Program {
-  Object object;
+struct ShaderProgram {
+  GlObject object;
   const Gl* gl = nullptr;
   void use() const {
     if (gl) gl->UseProgram(object.id());
@@ -103,7 +103,7 @@ std::string_view shader_header(bool es, bool tessellation);
 
 // Compiles and links. Prepends shader_header() to each stage, then `common` (shared functions). On failure
 // Code::graphics with `name` and the compiler's log; line numbers count within each part.
-base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
+base::Result<ShaderProgram> make_program(const Gl& gl, const ProgramSources& sources);
 
 // Turns blending by alpha on or off; the result stays opaque over an opaque picture.
 void blend(const Gl& gl, bool on);
@@ -124,7 +124,7 @@ class GpuTimer {
 
  private:
   const Gl* gl_;
-  std::array<Object, 4> ring_;          // queries; none without timers
+  std::array<GlObject, 4> ring_;        // queries; none without timers
   std::size_t started_ = 0, read_ = 0;  // parts so far
   bool measuring_ = false;
   double ms_ = 0;

@@ -41,7 +41,7 @@ ProgramSources sources_of(EvaluatedBy stage, bool measuring) {
 
 }  // namespace
 
-void PolylinePen::set(const Program& program) const {
+void PolylinePen::set(const ShaderProgram& program) const {
   program.set("view_projection", view_projection);
   program.set("eye", eye);
   program.set("viewport", viewport);
@@ -63,9 +63,9 @@ EvaluatedBy GpuCurves::usable(EvaluatedBy wanted) {
 }
 
 // Returns null if the driver lacks the stage or its compiler rejects the program; refusal() says why.
-const Program* GpuCurves::program(EvaluatedBy stage, bool measuring) {
+const ShaderProgram* GpuCurves::program(EvaluatedBy stage, bool measuring) {
   const auto row = static_cast<std::size_t>(stage);
-  std::optional<Program>& known = programs_->compiled[row][measuring ? 1 : 0];
+  std::optional<ShaderProgram>& known = programs_->compiled[row][measuring ? 1 : 0];
   if (known) return &*known;
   if (!refusal(stage).empty()) return nullptr;
   static constexpr const char* kCaptured[] = {"place", "number", "slot"};
@@ -83,7 +83,7 @@ const Program* GpuCurves::program(EvaluatedBy stage, bool measuring) {
   return &*known;
 }
 
-void GpuCurves::run(EvaluatedBy stage, const CurveSlots& slots, const Program& program, bool measuring) {
+void GpuCurves::run(EvaluatedBy stage, const CurveSlots& slots, const ShaderProgram& program, bool measuring) {
   const int steps = slots.steps;
   const std::size_t offset = std::size_t(slots.first) * kControlBytes;
   program.set("steps", steps);
@@ -104,7 +104,7 @@ void GpuCurves::run(EvaluatedBy stage, const CurveSlots& slots, const Program& p
 }
 
 void GpuCurves::draw(EvaluatedBy stage, const CurveSlots& slots, const PolylinePen& pen) {
-  const Program* const drawing = program(stage, false);
+  const ShaderProgram* const drawing = program(stage, false);
   if (drawing == nullptr) return;
   drawing->use();
   pen.set(*drawing);
@@ -120,7 +120,7 @@ std::size_t GpuCurves::captured_count(EvaluatedBy stage, const CurveSlots& slots
 
 bool GpuCurves::capture(EvaluatedBy stage, const CurveSlots& slots) {
   const Gl& gl = *gl_;
-  const Program* const measuring = program(stage, true);
+  const ShaderProgram* const measuring = program(stage, true);
   if (measuring == nullptr) return false;
   measuring->use();
   gl.Enable(GL_RASTERIZER_DISCARD);

@@ -24,7 +24,7 @@ struct PolylinePen {
   glm::vec2 viewport{1};  // px
   float width_px = 1;
   glm::vec4 paint{1};
-  void set(const Program& program) const;
+  void set(const ShaderProgram& program) const;
 };
 
 // Slots [first, first + count) of a buffer of control points (48 bytes each), to be evaluated in `steps` steps.
@@ -66,16 +66,16 @@ class GpuCurves {
  private:
   static constexpr std::size_t kStages = 4;
   struct Programs {
-    std::array<std::array<std::optional<Program>, 2>, kStages> compiled;  // by stage; [1]: the capturing program
+    std::array<std::array<std::optional<ShaderProgram>, 2>, kStages> compiled;  // by stage; [1]: the capturing program
     std::array<std::string, kStages> failures;
   };
   GpuCurves(const Gl& gl, std::shared_ptr<Programs> programs)
       : gl_(&gl), array_(make_vertex_array(gl)), programs_(std::move(programs)) {}
-  const Program* program(curve::EvaluatedBy stage, bool measuring);
-  void run(curve::EvaluatedBy stage, const CurveSlots& slots, const Program& program, bool measuring);
+  const ShaderProgram* program(curve::EvaluatedBy stage, bool measuring);
+  void run(curve::EvaluatedBy stage, const CurveSlots& slots, const ShaderProgram& program, bool measuring);
 
   const Gl* gl_;
-  Object array_;
+  GlObject array_;
   std::shared_ptr<Programs> programs_;
 };
 
@@ -104,7 +104,7 @@ class CurveDeviation {
                std::span<const TrackCache::Placed> placed);
 
   const Gl* gl_;
-  Object buffer_;
+  GlObject buffer_;
   curve::EvaluatedBy stage_{};
   int steps_ = 0;
   bool able_ = true;

@@ -6,7 +6,7 @@
 
 namespace coaster::gfx {
 
-Range Ranges::take(std::uint32_t size) {
+Range RangeAllocator::take(std::uint32_t size) {
   COASTER_CHECK(size > 0, "a range is not empty");
   for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
     if (gap->second < size) continue;
@@ -22,7 +22,7 @@ Range Ranges::take(std::uint32_t size) {
   return range;
 }
 
-void Ranges::give_back(Range range) {
+void RangeAllocator::give_back(Range range) {
   if (range.size == 0) return;
   auto next = gaps_.lower_bound(range.first);
   if (next != gaps_.end() && range.end() == next->first) {

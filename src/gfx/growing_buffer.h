@@ -26,7 +26,7 @@ inline void add_to_runs(std::vector<Range>& runs, Range range, bool shown, bool&
 }
 
 // Ranges allocated first-fit from freed ranges, else at the end. Independent of GL.
-class Ranges {
+class RangeAllocator {
  public:
   // Allocates exactly `size` (> 0) elements. Linear in the number of gaps.
   Range take(std::uint32_t size);
@@ -55,7 +55,7 @@ class GrowingBuffer {
     if (bytes <= capacity_) return false;
     constexpr std::size_t kSmallest = 64 * 1024;
     const std::size_t capacity = std::max({bytes, 2 * capacity_, kSmallest});
-    Object grown = made();
+    GlObject grown = made();
     gl_->BindBuffer(GL_COPY_WRITE_BUFFER, grown.id());
     gl_->BufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(capacity), nullptr, GL_DYNAMIC_DRAW);
     if (capacity_ > 0) {
@@ -83,8 +83,8 @@ class GrowingBuffer {
 
  private:
   // WebGL accepts as index buffers only buffers that were bound as such first.
-  Object made() const {
-    Object buffer = make_buffer(*gl_);
+  GlObject made() const {
+    GlObject buffer = make_buffer(*gl_);
     if (std::is_integral_v<T>) {
       gl_->BindVertexArray(0);
       gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.id());
@@ -93,7 +93,7 @@ class GrowingBuffer {
     return buffer;
   }
   const Gl* gl_;
-  Object object_;
+  GlObject object_;
   std::size_t capacity_ = 0;  // bytes
 };
 

@@ -92,8 +92,8 @@ base::Result<Image> decode_png(std::string_view bytes, std::string_view name) {
   return image;
 }
 
-Difference compare(const Image& picture, const Image& golden, Tolerance tolerance) {
-  Difference result;
+PictureDifference compare(const Image& picture, const Image& golden, PictureTolerance tolerance) {
+  PictureDifference result;
   result.same_size = picture.width == golden.width && picture.height == golden.height;
   if (!result.same_size) {
     result.acceptable = false;
@@ -127,9 +127,9 @@ Difference compare(const Image& picture, const Image& golden, Tolerance toleranc
   return result;
 }
 
-Object make_texture(const Gl& gl, const Image& image) {
+GlObject make_texture(const Gl& gl, const Image& image) {
   gl.ActiveTexture(GL_TEXTURE0);
-  Object texture = make_texture(gl, GL_LINEAR, GL_LINEAR);
+  GlObject texture = make_texture(gl, GL_LINEAR, GL_LINEAR);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);

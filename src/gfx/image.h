@@ -16,7 +16,7 @@ std::string encode_png(const Image& image);
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
 
 // Returns a texture of the image, linearly filtered, without mipmaps.
-Object make_texture(const Gl& gl, const Image& image);
+GlObject make_texture(const Gl& gl, const Image& image);
 
 // Returns the image at half its size: the mean of 2 x 2 pixels. A last odd row or column is left out.
 Image half_size(const Image& picture);
@@ -27,7 +27,7 @@ Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
 // What a driver may change in a golden picture: a fraction of all pixels, and pixels of one aligned 8x8 block; and the
 // difference of a channel, of 255, up to which a pixel counts as equal.
-struct Tolerance {
+struct PictureTolerance {
   double share;
   int block, channel = 16;
 };
@@ -36,8 +36,8 @@ struct Tolerance {
 // if more pixels differ than the tolerance says. This distinguishes drivers from defects: a driver that rounds
 // differently changes isolated pixels at edges; a defect is a patch. A patch of 10x10 pixels, wherever it lies, covers
 // at least 5x5 of one block. A driver with other samples changes more isolated pixels, and both edges of a thin post.
-struct Difference {
-  static constexpr Tolerance kSameSamples{0.0005, 8}, kOtherSamples{0.004, 16};
+struct PictureDifference {
+  static constexpr PictureTolerance kSameSamples{0.0005, 8}, kOtherSamples{0.004, 16};
   bool same_size = true;
   long pixels = 0;       // number of differing pixels
   long most_pixels = 0;  // acceptable number
@@ -47,6 +47,7 @@ struct Difference {
   glm::ivec2 first{-1}, largest_at{-1};  // the first differing pixel, by rows from the top; where `largest` is
   Image picture;                         // differing pixels in red over a grey copy
 };
-Difference compare(const Image& picture, const Image& golden, Tolerance tolerance = Difference::kSameSamples);
+PictureDifference compare(const Image& picture, const Image& golden,
+                          PictureTolerance tolerance = PictureDifference::kSameSamples);
 
 }  // namespace coaster::gfx

@@ -82,11 +82,11 @@ class MeshPool {
     Level(const Gl& gl, Range Solid::*in_solid, std::vector<std::uint32_t> sim::Mesh::*in_mesh, bool distant)
         : buffer(gl), array(make_vertex_array(gl)), range(in_solid), indices(in_mesh), far(distant) {}
     GrowingBuffer<std::uint32_t> buffer;
-    Object array;
+    GlObject array;
     Range Solid::*range;
     std::vector<std::uint32_t> sim::Mesh::*indices;
     bool far;
-    Ranges ranges;
+    RangeAllocator ranges;
     std::vector<Id> order;    // by position in the buffer
     std::vector<Range> runs;  // of indices
   };
@@ -102,7 +102,7 @@ class MeshPool {
 
   const Gl* gl_;
   GrowingBuffer<sim::MeshVertex> vertices_;
-  Ranges vertex_ranges_;
+  RangeAllocator vertex_ranges_;
   std::array<Level, 2> levels_;
   std::vector<Solid> solids_;
   std::vector<Id> free_;

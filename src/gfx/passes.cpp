@@ -18,7 +18,7 @@
 namespace coaster::gfx {
 namespace {
 
-base::Result<Program> make_scene_program(const Gl& gl, std::size_t index) {
+base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) {
   struct Row {
     const char* name;
     const char* defines;
@@ -69,7 +69,7 @@ struct Rays {
   glm::vec3 eye, eye_right{0}, eye_up{0};  // m; origin of the rays, and its change towards the edges
 };
 
-void draw_part(const Pass& pass, const Program& program, const Rays& rays, const ViewportPolygon& part) {
+void draw_part(const PassContext& pass, const ShaderProgram& program, const Rays& rays, const ViewportPolygon& part) {
   program.set("forward", rays.forward);
   program.set("right", rays.right);
   program.set("up", rays.up);
@@ -84,9 +84,9 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
 
 // Draws twice: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. Pixels
 // without shadow therefore cost little.
-void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const ViewportPolygon& part) {
+void draw_ground(const PassContext& pass, const SunShadows& shadows, const Rays& rays, const ViewportPolygon& part) {
   const Gl& gl = pass.gl;
-  const Program& ground = pass.use(SceneProgram::ground);
+  const ShaderProgram& ground = pass.use(SceneProgram::ground);
   shadows.bind(ground);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_ALWAYS);
@@ -95,7 +95,7 @@ void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, 
     gl.Clear(GL_DEPTH_BUFFER_BIT);
     return;
   }
-  const Program& shadow = pass.use(SceneProgram::ground_shadow);
+  const ShaderProgram& shadow = pass.use(SceneProgram::ground_shadow);
   shadows.bind(shadow);
   gl.DepthFunc(GL_EQUAL);
   gl.DepthMask(GL_FALSE);
@@ -107,18 +107,18 @@ void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, 
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
-void draw_sky(const Pass& pass, const Rays& rays, const ViewportPolygon& part) {
+void draw_sky(const PassContext& pass, const Rays& rays, const ViewportPolygon& part) {
   if (part.count < 3) return;
   const view::View& view = pass.scene.view;
   const float by_distance = view.parallel > 0 ? view.parallel : 1;
-  const Program& program = pass.use(SceneProgram::sky);
+  const ShaderProgram& program = pass.use(SceneProgram::sky);
   program.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
   draw_part(pass, program, rays, part);
 }
 
 // An orthographic view from above shows only ground. One along the ground shows it as a line: earth below it, and above
 // it the sky of a perspective view with the same horizon.
-void draw_parallel_backdrop(const Pass& pass, const SunShadows& shadows) {
+void draw_parallel_backdrop(const PassContext& pass, const SunShadows& shadows) {
   const view::View& view = pass.scene.view;
   const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
   const glm::vec3 right = axes[0] / view.projection[0][0], up = axes[1] / view.projection[1][1];
@@ -149,13 +149,13 @@ glm::vec3 lit_from(const view::View& view) {
 }
 
 // Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
-SweptTrack::Reach reach_of(const view::View& view, float detail) {
+SweptTrack::DetailDistances reach_of(const view::View& view, float detail) {
   const float pixel = metres_of_pixels(view, 1) / detail;
   return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(sim::kTieSpacing) / pixel};
 }
 
 // Call with the program in use and its matrix set.
-void draw_track(const Pass& pass, const TrackCache& track) {
+void draw_track(const PassContext& pass, const TrackCache& track) {
   if (!pass.scene.unseen) track.swept().draw();
   pass.stats.draw_calls += track.swept().draw_calls();
   pass.stats.triangles += track.swept().triangles();
@@ -166,14 +166,14 @@ void draw_track(const Pass& pass, const TrackCache& track) {
   }
 }
 
-void draw_carts(const Pass& pass, const Instances& instances) {
+void draw_carts(const PassContext& pass, const CarInstances& instances) {
   if (instances.cars() == 0) return;
   pass.stats.draw_calls += pass.scene.unseen ? instances.car_draw_calls() : instances.draw_cars();
   pass.stats.triangles += instances.car_triangles();
 }
 
 // Sets the track's colours: the scene's values, or paint.
-void set_colouring(const Pass& pass, const Program& program) {
+void set_colouring(const PassContext& pass, const ShaderProgram& program) {
   const sim::TrackValues* const values = pass.scene.values;
   const bool coloured = values != nullptr && !values->values.empty();
   program.set("colouring", coloured ? 1 : 0);
@@ -187,10 +187,10 @@ void set_colouring(const Pass& pass, const Program& program) {
 }
 
 // Draws everything by a program, without the faces that are `hidden`.
-void draw_all(const Pass& pass, SceneProgram name, GLenum hidden, const TrackCache& track, const Instances& instances,
-              const SunShadows& shadows) {
+void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const TrackCache& track,
+              const CarInstances& instances, const SunShadows& shadows) {
   pass.gl.CullFace(hidden);
-  const Program& program = pass.use(name);
+  const ShaderProgram& program = pass.use(name);
   program.set("view_projection", pass.view_projection);
   program.set("eye", lit_from(pass.scene.view));
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
@@ -204,7 +204,7 @@ constexpr float kPolylineWidth = 1.75f;  // points
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 
 // Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
-void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
+void draw_lines(const PassContext& pass, const TrackCache& track, GpuCurves& curves) {
   const view::View& view = pass.scene.view;
   const PolylinePen pen{pass.view_projection,
                         view.eye,
@@ -226,19 +226,19 @@ void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
 
 }  // namespace
 
-const Program& ScenePrograms::use(SceneProgram name) {
+const ShaderProgram& ScenePrograms::use(SceneProgram name) {
   const auto index = static_cast<std::size_t>(name);
-  std::optional<Program>& program = programs_[index];
+  std::optional<ShaderProgram>& program = programs_[index];
   if (!program) {
     auto made = make_scene_program(*gl_, index);
     if (!made && failure_) failure_ = made.status();
-    program = made ? std::move(*made) : Program{};
+    program = made ? std::move(*made) : ShaderProgram{};
   }
   gl_->UseProgram(program->object.id());
   return *program;
 }
 
-void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
+void draw_backdrop(const PassContext& pass, const SunShadows& shadows) {
   const view::View& view = pass.scene.view;
   blend(pass.gl, false);
   pass.gl.Disable(GL_DEPTH_TEST);
@@ -256,22 +256,22 @@ void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
   if (below.count > 2) draw_ground(pass, shadows, rays, below);
 }
 
-sim::Surroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
+sim::EyeSurroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
 
 void choose_levels(const Scene& scene, TrackCache& track) {
   constexpr float kUnseen = 0.25f;  // px
-  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
+  const SweptTrack::DetailDistances reach = reach_of(scene.view, scene.detail);
   track.look_from({scene.view.eye, metres_of_pixels(scene.view, kUnseen / scene.detail), reach.full}, reach.ties);
 }
 
 void choose_detail(const Scene& scene, TrackCache& track) {
-  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
+  const SweptTrack::DetailDistances reach = reach_of(scene.view, scene.detail);
   track.swept().look_from(scene.view.eye, reach);
   track.mesh().look_from(scene.view.eye, reach.full);
   track.supports().mesh().look_from(scene.view.eye, reach.full);
 }
 
-void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
+void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
   pass.use(SceneProgram::shadow).set("view_projection", light);
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
@@ -282,12 +282,12 @@ void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, flo
   }
 }
 
-void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {
+void cast_carts(const PassContext& pass, const CarInstances& instances, const glm::mat4& light) {
   pass.use(SceneProgram::shadow).set("view_projection", light);
   draw_carts(pass, instances);
 }
 
-void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
+void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,
                  const SunShadows& shadows) {
   blend(pass.gl, false);
   pass.gl.Enable(GL_DEPTH_TEST);
@@ -299,7 +299,7 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   pass.gl.Disable(GL_CULL_FACE);
 }
 
-void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer) {
+void draw_polyline(const PassContext& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer) {
   if (!pass.scene.show_polyline || pass.scene.derived.order.empty()) return;
   const Gl& gl = pass.gl;
   gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -327,13 +327,13 @@ void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves,
 
 constexpr float kMarkRim = 1.5f;  // points
 
-void draw_overlay(const Pass& pass, const Instances& instances) {
+void draw_overlay(const PassContext& pass, const CarInstances& instances) {
   blend(pass.gl, true);
   pass.gl.Disable(GL_DEPTH_TEST);
   const view::Viewport& viewport = pass.scene.view.viewport;
   const auto draw = [&](SceneProgram name, GLsizei count) {
     if (count == 0) return;
-    const Program& program = pass.use(name);
+    const ShaderProgram& program = pass.use(name);
     program.set("rim", kMarkRim * pass.scene.view.density);
     program.set("view_projection", pass.view_projection);
     program.set("viewport", glm::vec2(viewport.width, viewport.height));

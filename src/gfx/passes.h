@@ -24,20 +24,20 @@ class ScenePrograms {
  public:
   explicit ScenePrograms(const Gl& gl) : gl_(&gl) {}
   // Returns the program, in use. One that does not compile is empty and draws nothing.
-  const Program& use(SceneProgram name);
+  const ShaderProgram& use(SceneProgram name);
   // Code::graphics with the compiler's log of the first program that did not compile.
   const base::Status& failure() const { return failure_; }
 
  private:
   const Gl* gl_;
-  std::array<std::optional<Program>, kScenePrograms> programs_;
+  std::array<std::optional<ShaderProgram>, kScenePrograms> programs_;
   base::Status failure_;
 };
 
 class SunShadows;
 
 // Shared by all passes of one picture.
-struct Pass {
+struct PassContext {
   const Gl& gl;
   ScenePrograms& programs;
   const Scene& scene;
@@ -47,8 +47,8 @@ struct Pass {
   DrawStats& stats;
 
   // Returns the program, in use; an empty one if no pixels are drawn.
-  const Program& use(SceneProgram name) const {
-    static const Program kNone;
+  const ShaderProgram& use(SceneProgram name) const {
+    static const ShaderProgram kNone;
     return scene.unseen ? kNone : programs.use(name);
   }
   void count(std::int64_t triangles) const {
@@ -67,20 +67,20 @@ void choose_levels(const Scene& scene, TrackCache& track);
 void choose_detail(const Scene& scene, TrackCache& track);
 
 // Draws sky, and ground with its shadows.
-void draw_backdrop(const Pass& pass, const SunShadows& shadows);
+void draw_backdrop(const PassContext& pass, const SunShadows& shadows);
 
 // Draw track and trains into a shadow map; its texels are `texel_metres` wide.
-void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres);
-void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light);
+void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& light, float texel_metres);
+void cast_carts(const PassContext& pass, const CarInstances& instances, const glm::mat4& light);
 
 // Draws track and trains; in the blueprint style their outlines first, so that they show behind them.
-void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
+void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,
                  const SunShadows& shadows);
 
 // Draws the laboratory's polyline. `timer` measures its GPU time.
-void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer);
+void draw_polyline(const PassContext& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer);
 
 // Draws lines and marks over everything.
-void draw_overlay(const Pass& pass, const Instances& instances);
+void draw_overlay(const PassContext& pass, const CarInstances& instances);
 
 }  // namespace coaster::gfx

@@ -49,13 +49,13 @@ glm::dvec3 hitch(const sim::Pose& pose, double way) {
 
 }  // namespace
 
-Instances::Model::Model(const Gl& gl, const sim::Mesh& mesh)
+CarInstances::Model::Model(const Gl& gl, const sim::Mesh& mesh)
     : vertices(gl), indices(gl), poses(gl), array(make_vertex_array(gl)), index_count(GLsizei(mesh.indices.size())) {
   vertices.fill(mesh.vertices);
   indices.fill(mesh.indices);
 }
 
-void Instances::Model::link(const Gl& gl) {
+void CarInstances::Model::link(const Gl& gl) {
   gl.BindVertexArray(array.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
   mesh_attributes(gl);
@@ -64,7 +64,7 @@ void Instances::Model::link(const Gl& gl) {
   instance_attributes(gl, 3, {4, 4, 4, 4});
 }
 
-Instances::Instances(const Gl& gl)
+CarInstances::CarInstances(const Gl& gl)
     : gl_(&gl),
       line_buffer_(gl),
       mark_buffer_(gl),
@@ -75,8 +75,8 @@ Instances::Instances(const Gl& gl)
                {gl, sim::coupling_mesh()},
                {gl, sim::distant_car_mesh()}}} {}
 
-void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye) {
-  const auto send = [&](GrowingBuffer<float>& buffer, const Object& array, std::initializer_list<int> sizes) {
+void CarInstances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye) {
+  const auto send = [&](GrowingBuffer<float>& buffer, const GlObject& array, std::initializer_list<int> sizes) {
     if (buffer.fill(staged_)) {
       gl_->BindVertexArray(array.id());
       gl_->BindBuffer(GL_ARRAY_BUFFER, buffer.id());
@@ -107,7 +107,7 @@ void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> 
   }
 }
 
-void Instances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
+void CarInstances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
   const auto distance = [&](const sim::Pose& car) {
     const glm::dvec3 away = car.position - eye;
     return glm::dot(away, away);
@@ -124,7 +124,7 @@ void Instances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
   for (const sim::Pose& car : cars) shown_.push_back(distance(car) >= far ? distant : car.leads ? leading : following);
 }
 
-void Instances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
+void CarInstances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
   for (std::size_t i = 0; i < cars.size(); ++i) {
     if (shown_[i] != kind) continue;
     const sim::Pose& car = cars[i];
@@ -135,7 +135,7 @@ void Instances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
 }
 
 // Adds a coupling from each car to the rear of the car before it; cars that touch have none.
-void Instances::stage_couplings(std::span<const sim::Pose> cars) {
+void CarInstances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {
     if (shown_[i] != following) continue;
@@ -147,13 +147,13 @@ void Instances::stage_couplings(std::span<const sim::Pose> cars) {
   }
 }
 
-void Instances::send_poses(Model& model) {
+void CarInstances::send_poses(Model& model) {
   model.count = GLsizei(staged_.size() / kPoseFloats);
   if (model.poses.fill(staged_)) model.link(*gl_);
   staged_.clear();
 }
 
-int Instances::draw_cars() const {
+int CarInstances::draw_cars() const {
   for (const Model& model : models_) {
     if (model.count == 0) continue;
     gl_->BindVertexArray(model.array.id());
@@ -163,11 +163,11 @@ int Instances::draw_cars() const {
   return car_draw_calls();
 }
 
-int Instances::car_draw_calls() const {
+int CarInstances::car_draw_calls() const {
   return int(std::ranges::count_if(models_, [](const Model& model) { return model.count > 0; }));
 }
 
-std::int64_t Instances::car_triangles() const {
+std::int64_t CarInstances::car_triangles() const {
   std::int64_t indices = 0;
   for (const Model& model : models_) indices += std::int64_t(model.index_count) * model.count;
   return indices / 3;

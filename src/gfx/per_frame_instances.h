@@ -14,9 +14,9 @@
 
 namespace coaster::gfx {
 
-class Instances {
+class CarInstances {
  public:
-  explicit Instances(const Gl& gl);
+  explicit CarInstances(const Gl& gl);
   // The number of cars drawn in full, those nearest to the eye; the others are drawn as blocks.
   static constexpr std::size_t kFullCars = 512;
   void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye);
@@ -33,7 +33,7 @@ class Instances {
   std::int64_t car_triangles() const;  // per draw
 
  private:
-  GLsizei bind(const Object& array, GLsizei count) const {
+  GLsizei bind(const GlObject& array, GLsizei count) const {
     gl_->BindVertexArray(array.id());
     return count;
   }
@@ -45,7 +45,7 @@ class Instances {
     GrowingBuffer<sim::MeshVertex> vertices;
     GrowingBuffer<std::uint32_t> indices;
     GrowingBuffer<float> poses;
-    Object array;
+    GlObject array;
     GLsizei index_count = 0, count = 0;
   };
   enum Kind : std::uint8_t { leading, following, coupling, distant };
@@ -56,7 +56,7 @@ class Instances {
 
   const Gl* gl_;
   GrowingBuffer<float> line_buffer_, mark_buffer_;
-  Object line_array_, mark_array_;
+  GlObject line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
   std::array<Model, 4> models_;    // by kind, in drawing order
   std::vector<Kind> shown_;        // by car

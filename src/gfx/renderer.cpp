@@ -22,12 +22,12 @@ struct Renderer::Parts {
   GpuCurves gpu_curves;
   SceneStyleBuffer air{gl};
   TrackCache track{gl};
-  Instances instances{gl};
+  CarInstances instances{gl};
   ValueTexture values{gl};  // colours of the track
   CurveDeviation deviation{gl};
   SunShadows shadows{gl};
   GpuTimer polyline_timer{gl};
-  Object empty_array = make_vertex_array(gl);  // for triangles without attributes
+  GlObject empty_array = make_vertex_array(gl);  // for triangles without attributes
   FrameTargets targets{gl};
 
   void upload(const Scene& scene, DrawStats& stats);
@@ -83,7 +83,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   choose_detail(scene, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
-  const Pass pass{
+  const PassContext pass{
       parts.gl, *parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(),
       stats};
   parts.shadows.update(pass, parts.track, parts.instances);
@@ -97,12 +97,12 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
 }
 
 unsigned Renderer::framebuffer() const {
-  const Target* const resolved = parts_->targets.resolved();
+  const RenderTarget* const resolved = parts_->targets.resolved();
   return resolved ? resolved->framebuffer.id() : 0;
 }
 
 Image Renderer::read_pixels() const {
-  const Target* const resolved = parts_->targets.resolved();
+  const RenderTarget* const resolved = parts_->targets.resolved();
   COASTER_CHECK(resolved, "pixels are read after a draw");
   const Gl& gl = parts_->gl;
   const int width = resolved->width, height = resolved->height;

@@ -41,7 +41,7 @@ struct Scene {
 };
 
 // Returns where ties, equipment and supports are near enough to be seen, for scenes of the usual detail.
-sim::Surroundings surroundings_of(const view::View& view);
+sim::EyeSurroundings surroundings_of(const view::View& view);
 
 using view::DrawStats;
 

@@ -48,7 +48,7 @@ class SceneStyleBuffer {
 
  private:
   const Gl* gl_;
-  Object buffer_;
+  GlObject buffer_;
   const SceneStyle* written_ = nullptr;  // rows of scenery_of() have static lifetime
 };
 

@@ -12,7 +12,7 @@ constexpr float kEyeOff = 14;   // m, largest distance of the eye from the neare
 // Returns the vertices of a polyline, with the break at its end.
 std::int64_t vertices(int lines) { return lines + 2; }
 
-float nearest(const Sight& sight, const SegmentSize& size) {
+float nearest(const LevelView& sight, const SegmentSize& size) {
   return std::max(0.0f, glm::distance(sight.eye, size.middle) - size.radius - kEyeOff);
 }
 
@@ -40,7 +40,7 @@ bool SegmentLevels::solid(const SegmentSize& size) const {
   return metres <= sight.reach || size.bend / 8 > sight.off * metres;
 }
 
-Sight in_steps(Sight sight) {
+LevelView in_steps(LevelView sight) {
   sight.eye = kEyeStep * glm::round(sight.eye / kEyeStep);
   return sight;
 }
@@ -53,7 +53,7 @@ std::size_t LevelChoice::doublings_of(const SegmentSize& size) const {
   return doublings;
 }
 
-void LevelChoice::begin(std::span<const SegmentSize> sizes, int steps, const Sight& sight) {
+void LevelChoice::begin(std::span<const SegmentSize> sizes, int steps, const LevelView& sight) {
   segments_ = static_cast<std::int64_t>(sizes.size());
   levels_ = {steps, steps, 0, sizes.size() <= kMostSolids, in_steps(sight)};
   all_lines_ = segments_ * vertices(steps) <= kPolylineBudget;

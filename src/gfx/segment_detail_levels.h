@@ -29,18 +29,18 @@ struct SegmentSize {
 SegmentSize size_of(const curve::Cubic& cubic);
 
 // The view that levels depend on.
-struct Sight {
+struct LevelView {
   glm::vec3 eye{0};
   float off = 0;    // m per metre of distance: smaller deviations are invisible
   float reach = 0;  // m, up to which even straight rails are held in full
-  friend bool operator==(const Sight&, const Sight&) = default;
+  friend bool operator==(const LevelView&, const LevelView&) = default;
 };
 
 struct SegmentLevels {
   int steps = 0, far_lines = 0;  // lines of a near and of a far polyline; equal if all fit
   float line_off = 0;            // largest deviation of a far polyline, in metres per metre of distance
   bool all_solid = true;         // all rails are held in full
-  Sight sight;                   // of an eye that moves in steps of some metres
+  LevelView sight;               // of an eye that moves in steps of some metres
   int lines_of(const SegmentSize& size) const;
   bool solid(const SegmentSize& size) const;
   bool all() const { return all_solid && far_lines == steps; }
@@ -48,14 +48,14 @@ struct SegmentLevels {
 };
 
 // Returns the sight of an eye that moves in steps of some metres.
-Sight in_steps(Sight sight);
+LevelView in_steps(LevelView sight);
 
 // Chooses the levels for segments with polylines of `steps` steps. If not all visible lines fit, line_off is sight.off
 // times a power of two. Depends only on in_steps(sight).
 class LevelChoice {
  public:
   // Counts all segments.
-  void begin(std::span<const SegmentSize> sizes, int steps, const Sight& sight);
+  void begin(std::span<const SegmentSize> sizes, int steps, const LevelView& sight);
   // Counts a segment whose size changed.
   void replace(const SegmentSize& before, const SegmentSize& now);
   SegmentLevels levels() const;

@@ -192,7 +192,7 @@ bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std:
   return news;
 }
 
-void ShadowMap::bind(const Program& program, const char* prefix, int unit) const {
+void ShadowMap::bind(const ShaderProgram& program, const char* prefix, int unit) const {
   const Gl& gl = *gl_;
   gl.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
   gl.BindTexture(GL_TEXTURE_2D, depth_.id());
@@ -209,7 +209,7 @@ void ShadowMap::bind(const Program& program, const char* prefix, int unit) const
               drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));
 }
 
-void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& instances) {
+void SunShadows::update(const PassContext& pass, TrackCache& track, const CarInstances& instances) {
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
   const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
@@ -231,7 +231,7 @@ void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& in
     ++pass.stats.shadow_maps;
 }
 
-void SunShadows::bind(const Program& program) const {
+void SunShadows::bind(const ShaderProgram& program) const {
   program.set("taps", 4);
   track_.bind(program, "track", kTrackShadowUnit);
   trains_.bind(program, "train", kTrainShadowUnit);

@@ -78,7 +78,7 @@ class ShadowMap {
 
   // Binds the textures to units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover,
   // PREFIX_light and PREFIX_texel of the program in use. Call after update().
-  void bind(const Program& program, const char* prefix, int unit) const;
+  void bind(const ShaderProgram& program, const char* prefix, int unit) const;
 
  private:
   void make(int size);
@@ -91,7 +91,7 @@ class ShadowMap {
     friend bool operator==(const Key&, const Key&) = default;
   };
   const Gl* gl_;
-  Object framebuffer_, depth_, cover_;
+  GlObject framebuffer_, depth_, cover_;
   Key drawn_, wanted_;
   glm::mat4 to_map_{1};
 };
@@ -101,9 +101,9 @@ class SunShadows {
  public:
   explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}
   // Counts the drawn maps in stats.shadow_maps. Call after updating `track` and `instances`; binds framebuffers.
-  void update(const Pass& pass, TrackCache& track, const Instances& instances);
+  void update(const PassContext& pass, TrackCache& track, const CarInstances& instances);
   // For the program in use.
-  void bind(const Program& program) const;
+  void bind(const ShaderProgram& program) const;
 
  private:
   ShadowMap track_, trains_;

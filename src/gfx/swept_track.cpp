@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t kMostRunsOfKind = 96;  // of one kind
 
-static_assert(sizeof(Piece) == 96, "pieces are uploaded with their memory layout");
+static_assert(sizeof(SweptPiece) == 96, "pieces are uploaded with their memory layout");
 
 // An edit changes the number of pieces: spare capacity keeps a segment in its range during a drag.
 std::uint32_t room_for(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4); }
 bool has_room(Range range, std::size_t count) { return count <= range.size && range.size <= room_for(count) + 2; }
 
-Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t segment) {
+SweptPiece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t segment) {
   const glm::dvec3 right = -from.frame.left(), next_right = -to.frame.left();
   return {.x = from.frame.forward,
           .y = from.frame.up,
@@ -31,7 +31,7 @@ Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t se
 }
 
 // Returns the piece at a ring, extended by `half` metres to both sides.
-Piece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
+SweptPiece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
   sim::Ring from = at, to = at;
   from.position -= half * at.frame.forward, to.position += half * at.frame.forward;
   return piece_between(from, to, segment);
@@ -45,13 +45,14 @@ sim::Ring turned(sim::Ring ring) {
 
 // Sets the attributes of an instance from the bound buffer, beginning with a piece.
 void piece_attributes(const Gl& gl, std::uint32_t first) {
-  constexpr std::size_t kStride = sizeof(Piece);
+  constexpr std::size_t kStride = sizeof(SweptPiece);
   constexpr struct {
     int components;
     std::size_t offset;
-  } kAttributes[] = {{3, offsetof(Piece, x)},      {3, offsetof(Piece, y)},           {3, offsetof(Piece, z)},
-                     {3, offsetof(Piece, origin)}, {2, offsetof(Piece, along)},       {3, offsetof(Piece, next_y)},
-                     {3, offsetof(Piece, next_z)}, {3, offsetof(Piece, next_origin)}, {1, offsetof(Piece, next_along)}};
+  } kAttributes[] = {
+      {3, offsetof(SweptPiece, x)},      {3, offsetof(SweptPiece, y)},           {3, offsetof(SweptPiece, z)},
+      {3, offsetof(SweptPiece, origin)}, {2, offsetof(SweptPiece, along)},       {3, offsetof(SweptPiece, next_y)},
+      {3, offsetof(SweptPiece, next_z)}, {3, offsetof(SweptPiece, next_origin)}, {1, offsetof(SweptPiece, next_along)}};
   GLuint location = 3;
   for (const auto& attribute : kAttributes)
     float_attribute(gl, location++, attribute.components, kStride, first * kStride + attribute.offset, 1);
@@ -78,7 +79,7 @@ void SweptTrack::group() {
   constexpr std::uint32_t kMostPieces = 64;  // in a part
   near_.clear();
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
-    std::vector<Part>& parts = parts_[kind];
+    std::vector<SegmentGroup>& parts = parts_[kind];
     parts.clear();
     for (const Id id : rows_[kind].order) {
       const Segment& segment = segments_[id];
@@ -95,7 +96,7 @@ void SweptTrack::group() {
         parts.push_back({place, kNone, low, high});
         continue;
       }
-      Part& part = parts.back();
+      SegmentGroup& part = parts.back();
       part.place.size = place.end() - part.place.first;
       part.low = glm::min(part.low, low), part.high = glm::max(part.high, high);
     }
@@ -104,18 +105,18 @@ void SweptTrack::group() {
 
 // Makes the part of a far segment contain it. A group() makes it smaller again.
 void SweptTrack::widen_part(const Segment& segment) {
-  std::vector<Part>& parts = parts_[kFarTubes];
-  const auto first = [](const Part& part) { return part.place.first; };
+  std::vector<SegmentGroup>& parts = parts_[kFarTubes];
+  const auto first = [](const SegmentGroup& part) { return part.place.first; };
   const auto after = std::ranges::upper_bound(parts, segment.pieces[kFarTubes].first, {}, first);
   if (after == parts.begin()) return;
-  Part& part = *std::prev(after);
+  SegmentGroup& part = *std::prev(after);
   part.low = glm::min(part.low, segment.middle - segment.radius);
   part.high = glm::max(part.high, segment.middle + segment.radius);
 }
 
 std::size_t SweptTrack::part_count() const {
   std::size_t count = 0;
-  for (const std::vector<Part>& parts : parts_) count += parts.size();
+  for (const std::vector<SegmentGroup>& parts : parts_) count += parts.size();
   return count;
 }
 
@@ -124,14 +125,14 @@ void SweptTrack::gather(Runs& runs, const auto& shows_far) const {
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     runs[kind].clear();
     bool open = false;
-    for (const Part& part : parts_[kind]) {
+    for (const SegmentGroup& part : parts_[kind]) {
       const bool shown = part.near == kNone ? shows_far(part) : (shown_[part.near] >> kind & 1) != 0;
       add_to_runs(runs[kind], part.place, shown, open);
     }
   }
 }
 
-void SweptTrack::choose(const Reach& reach) {
+void SweptTrack::choose(const DetailDistances& reach) {
   shown_.resize(segments_.size());
   for (const Id id : near_) {
     const Segment& segment = segments_[id];
@@ -139,10 +140,10 @@ void SweptTrack::choose(const Reach& reach) {
     shown_[id] = static_cast<std::uint8_t>(metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
     if (metres <= reach.ties) shown_[id] |= 1 << kTies;
   }
-  gather(chosen_, [](const Part&) { return true; });
+  gather(chosen_, [](const SegmentGroup&) { return true; });
 }
 
-void SweptTrack::look_from(glm::vec3 eye, Reach reach) {
+void SweptTrack::look_from(glm::vec3 eye, DetailDistances reach) {
   if (eye == eye_ && reach == reach_) return;
   eye_ = eye, reach_ = reach;
   sort();
@@ -163,7 +164,7 @@ ShadowDrawStats SweptTrack::cast(const glm::mat4& light, float texel_metres, boo
   shown_.resize(segments_.size());
   for (const Id id : near_)
     shown_[id] = reaches(light, segments_[id].middle, segments_[id].radius) ? kinds : std::uint8_t{0};
-  gather(cast_, [&](const Part& part) {
+  gather(cast_, [&](const SegmentGroup& part) {
     return reaches(light, 0.5f * (part.low + part.high), 0.5f * glm::distance(part.low, part.high));
   });
   for (std::vector<Range>& runs : cast_)
@@ -172,7 +173,7 @@ ShadowDrawStats SweptTrack::cast(const glm::mat4& light, float texel_metres, boo
   return {draw_calls(cast_), triangles(cast_)};
 }
 
-SweptTrack::Row::Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners)
+SweptTrack::PieceBatch::PieceBatch(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners)
     : vertices(gl), indices(gl), pieces(gl), array(make_vertex_array(gl)), index_count(GLsizei(corners.size())) {
   vertices.fill(mesh.vertices);
   indices.fill(corners);
@@ -185,14 +186,14 @@ SweptTrack::Row::Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std:
 }
 
 SweptTrack::SweptTrack(const Gl& gl)
-    : gl_(&gl), rows_([&]() -> ByKind<Row> {
+    : gl_(&gl), rows_([&]() -> ByKind<PieceBatch> {
         const sim::TrackPieces meshes = sim::track_pieces();
-        return {Row(gl, meshes.tubes, meshes.tubes.indices), Row(gl, meshes.caps, meshes.caps.indices),
-                Row(gl, meshes.tubes, meshes.tubes.coarse), Row(gl, meshes.tie, meshes.tie.indices)};
+        return {PieceBatch(gl, meshes.tubes, meshes.tubes.indices), PieceBatch(gl, meshes.caps, meshes.caps.indices),
+                PieceBatch(gl, meshes.tubes, meshes.tubes.coarse), PieceBatch(gl, meshes.tie, meshes.tie.indices)};
       }()) {}
 
-void SweptTrack::stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment) {
-  for (std::vector<Piece>& pieces : staged_) pieces.clear();
+void SweptTrack::stage(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment) {
+  for (std::vector<SweptPiece>& pieces : staged_) pieces.clear();
   if (detail.most_rings == 0) return;
   const std::vector<sim::Ring> rings = sim::rings_of(shape, detail.most_rings);
   const std::size_t last = rings.size() - 1;
@@ -204,8 +205,8 @@ void SweptTrack::stage(const sim::SegmentShape& shape, const sim::Detail& detail
     staged_[kTies].push_back(piece_at(at, sim::kHalfTie, segment));
 }
 
-void SweptTrack::stage_far(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment) {
-  for (std::vector<Piece>& pieces : staged_) pieces.clear();
+void SweptTrack::stage_far(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment) {
+  for (std::vector<SweptPiece>& pieces : staged_) pieces.clear();
   if (detail.most_rings == 0) return;
   staged_[kFarTubes] = {piece_between(sim::ring_at(shape, 0), sim::ring_at(shape, shape.arc.length()), segment)};
 }
@@ -222,7 +223,7 @@ void SweptTrack::fit(Id& id) {
     Range& range = segments_[id].pieces[kind];
     const std::size_t count = staged_[kind].size();
     if (has_room(range, count)) continue;
-    std::vector<Piece> none;
+    std::vector<SweptPiece> none;
     put(rows_[kind], range, none);
     rows_[kind].ranges.give_back(range);
     range = count > 0 ? rows_[kind].ranges.take(room_for(count)) : Range{};
@@ -231,9 +232,9 @@ void SweptTrack::fit(Id& id) {
 }
 
 // Writes pieces, and empty ones into the rest of their range.
-void SweptTrack::put(Row& row, Range range, std::vector<Piece>& pieces) {
+void SweptTrack::put(PieceBatch& row, Range range, std::vector<SweptPiece>& pieces) {
   if (range.size == 0) return;
-  pieces.resize(range.size, Piece{});
+  pieces.resize(range.size, SweptPiece{});
   row.pieces.reserve(row.ranges.used());
   row.pieces.write(range.first, pieces);
 }
@@ -242,7 +243,7 @@ void SweptTrack::measure(Segment& segment) const {
   constexpr float kReach = 1.2f;  // m, contains everything about a ring
   glm::vec3 low(3e38f), high(-3e38f);
   for (const std::size_t kind : {kTubes, kCaps, kFarTubes})
-    for (const Piece& piece : staged_[kind])
+    for (const SweptPiece& piece : staged_[kind])
       low = glm::min(low, glm::min(piece.origin, piece.next_origin)),
       high = glm::max(high, glm::max(piece.origin, piece.next_origin));
   if (staged_[kFarTubes].empty()) low = high = glm::vec3(0);
@@ -261,7 +262,7 @@ std::int64_t SweptTrack::write(Id& id) {
   std::int64_t written = 0;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     put(rows_[kind], segment.pieces[kind], staged_[kind]);
-    written += std::int64_t(segment.pieces[kind].size * sizeof(Piece));
+    written += std::int64_t(segment.pieces[kind].size * sizeof(SweptPiece));
   }
   ++version_;
   reach_ = {-1, -1};
@@ -270,7 +271,7 @@ std::int64_t SweptTrack::write(Id& id) {
 
 void SweptTrack::release(Id& id) {
   if (id == kNone) return;
-  std::vector<Piece> none;
+  std::vector<SweptPiece> none;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     none.clear();
     put(rows_[kind], segments_[id].pieces[kind], none);
@@ -287,7 +288,7 @@ void SweptTrack::release(Id& id) {
 void SweptTrack::draw(const Runs& runs) const {
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     if (runs[kind].empty()) continue;
-    const Row& row = rows_[kind];
+    const PieceBatch& row = rows_[kind];
     gl_->BindVertexArray(row.array.id());
     gl_->BindBuffer(GL_ARRAY_BUFFER, row.pieces.id());
     for (const Range& run : runs[kind]) {
@@ -312,7 +313,7 @@ std::int64_t SweptTrack::triangles(const Runs& runs) const {
 
 std::int64_t SweptTrack::bytes() const {
   std::int64_t sum = 0;
-  for (const Row& row : rows_) sum += std::int64_t(row.ranges.used() * sizeof(Piece));
+  for (const PieceBatch& row : rows_) sum += std::int64_t(row.ranges.used() * sizeof(SweptPiece));
   return sum;
 }
 

@@ -14,7 +14,7 @@
 namespace coaster::gfx {
 
 // One instance: axes and origin of the first ring (forward x, up y, right z; x serves both rings) and of the second.
-struct Piece {
+struct SweptPiece {
   glm::vec3 x, y, z, origin;
   float along, segment;
   glm::vec3 next_y, next_z, next_origin;
@@ -35,21 +35,21 @@ class SweptTrack {
 
   // Writes the pieces of a segment, into its old ranges if they fit there; an id of kNone is a new segment. stage()
   // prepares them outside GL. Returns the bytes written.
-  void stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
+  void stage(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment);
   // Does the same for a far segment, of which only a straight piece is visible, with the same rings at its ends.
-  void stage_far(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
+  void stage_far(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment);
   std::int64_t write(Id& id);
   void release(Id& id);
 
   // The distances (m) up to which segments are drawn in full, and up to which they have ties.
-  struct Reach {
+  struct DetailDistances {
     float full = 0, ties = 0;
-    friend bool operator==(const Reach&, const Reach&) = default;
+    friend bool operator==(const DetailDistances&, const DetailDistances&) = default;
   };
   // Selects full detail near `eye` from now on. Both distances are halved until the triangles stay within
   // kTriangleBudget and the draw calls within a few hundred. Linear in the segments that are not far, see stage_far();
   // no-op while neither the segments nor the eye changed.
-  void look_from(glm::vec3 eye, Reach reach);
+  void look_from(glm::vec3 eye, DetailDistances reach);
   // Draws the segments with the program in use (the attributes of shaders/mesh.vert).
   void draw() const { draw(chosen_); }
   int draw_calls() const { return draw_calls(chosen_); }
@@ -78,48 +78,48 @@ class SweptTrack {
     bool far = false;  // it has only distant tubes
   };
   // A mesh and its instances.
-  struct Row {
-    Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners);
+  struct PieceBatch {
+    PieceBatch(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners);
     GrowingBuffer<sim::MeshVertex> vertices;
     GrowingBuffer<std::uint32_t> indices;
-    GrowingBuffer<Piece> pieces;
-    Object array;
+    GrowingBuffer<SweptPiece> pieces;
+    GlObject array;
     GLsizei index_count = 0;
-    Ranges ranges;
+    RangeAllocator ranges;
     std::vector<Id> order;  // by position in the buffer
     bool moved = true;      // ranges changed since the order was computed
   };
   // A near segment, or neighbours in a buffer that are all far.
-  struct Part {
+  struct SegmentGroup {
     Range place;
     Id near = kNone;
     glm::vec3 low{0}, high{0};  // of the far ones
   };
   void fit(Id& id);
   void measure(Segment& segment) const;
-  void put(Row& row, Range range, std::vector<Piece>& pieces);
+  void put(PieceBatch& row, Range range, std::vector<SweptPiece>& pieces);
   void sort();
   void group();
   void widen_part(const Segment& segment);
   void gather(Runs& runs, const auto& shows_far) const;
-  void choose(const Reach& reach);
+  void choose(const DetailDistances& reach);
   void draw(const Runs& runs) const;
   int draw_calls(const Runs& runs) const;
   std::int64_t triangles(const Runs& runs) const;
 
   const Gl* gl_;
-  ByKind<Row> rows_;
+  ByKind<PieceBatch> rows_;
   std::vector<Segment> segments_;
   std::vector<Id> free_;
-  ByKind<std::vector<Part>> parts_;  // by position in the buffers
-  std::vector<Id> near_;             // segments that are not far
-  bool grouped_ = false;             // parts_ and near_ are up to date
+  ByKind<std::vector<SegmentGroup>> parts_;  // by position in the buffers
+  std::vector<Id> near_;                     // segments that are not far
+  bool grouped_ = false;                     // parts_ and near_ are up to date
   Runs chosen_, cast_;
   std::uint64_t version_ = 0;
   glm::vec3 eye_{0};
-  Reach reach_{-1, -1};
+  DetailDistances reach_{-1, -1};
   // Kept for their capacity.
-  ByKind<std::vector<Piece>> staged_;
+  ByKind<std::vector<SweptPiece>> staged_;
   std::vector<std::uint8_t> shown_;  // by segment, a bit for each kind; of the near ones
 };
 

@@ -60,7 +60,7 @@ TrackCache::Synced TrackCache::sync(const sim::DerivedTrack& derived, const sim:
   Stopwatch watch{clock};
   auto changes = derived.changes_since(last_build_);
   if (!(evaluation_ == derived.made.evaluation)) changes.reset();
-  if (const sim::Detail detail = sim::detail_of(derived); !(detail == detail_)) {
+  if (const sim::SolidsDetail detail = sim::detail_of(derived); !(detail == detail_)) {
     detail_ = detail;
     for (Slot& slot : slots_) slot.shape_build = 0;  // every mesh is rewritten
     changes.reset();
@@ -79,7 +79,7 @@ TrackCache::Synced TrackCache::sync(const sim::DerivedTrack& derived, const sim:
       if (changes) level_choice_.replace(sizes_[segment.index], size);
       sizes_[segment.index] = size;
     });
-    const Sight sight = in_steps(sight_);
+    const LevelView sight = in_steps(sight_);
     if (!changes || !(sight == levels_for_)) level_choice_.begin(sizes_, derived.steps, sight);
     levels_for_ = sight;
     levels_ = level_choice_.levels();
@@ -125,11 +125,11 @@ void TrackCache::take_near(const sim::DerivedTrack& derived) {
   near_detail_ = near_track_.detail(detail_);
   near_.resize(slots_.size());
   for (const std::uint32_t index : were_near_) near_[index] = 0;
-  std::erase_if(were_near_, [&](std::uint32_t index) { return levels_held_[index].solid != Solid::with_parts; });
+  std::erase_if(were_near_, [&](std::uint32_t index) { return levels_held_[index].solid != SolidDetail::with_parts; });
   for (const std::size_t i : near_track_.indices()) {
     const std::uint32_t index = derived.order[i].index;
     near_[index] = 1;
-    if (levels_held_[index].solid != Solid::with_parts) were_near_.push_back(index);
+    if (levels_held_[index].solid != SolidDetail::with_parts) were_near_.push_back(index);
   }
 }
 
@@ -265,11 +265,11 @@ void TrackCache::write(GrowingBuffer<T>& buffer, Range range, std::span<const T>
 }
 
 void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
-  const Solid solid = level_of(slot.segment.index).solid;
-  sim::Detail detail = solid == Solid::with_parts ? near_detail_ : detail_;
-  detail.parts = solid == Solid::with_parts;
+  const SolidDetail solid = level_of(slot.segment.index).solid;
+  sim::SolidsDetail detail = solid == SolidDetail::with_parts ? near_detail_ : detail_;
+  detail.parts = solid == SolidDetail::with_parts;
   watch.time([&] {
-    if (solid == Solid::straight) swept_.stage_far(shape, detail, slot.segment.index);
+    if (solid == SolidDetail::straight) swept_.stage_far(shape, detail, slot.segment.index);
     else swept_.stage(shape, detail, slot.segment.index);
     staged_mesh_.clear();
     if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail);

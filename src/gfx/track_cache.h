@@ -76,7 +76,7 @@ class TrackCache {
   Synced sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.
-  void look_from(const Sight& sight, float ties) { sight_ = sight, ties_ = ties; }
+  void look_from(const LevelView& sight, float ties) { sight_ = sight, ties_ = ties; }
   // By the index of a segment's entity, as of the last sync: whether it has these. Null if all have.
   const std::vector<std::uint8_t>* near() const { return parts_everywhere_ ? nullptr : &near_; }
 
@@ -121,17 +121,17 @@ class TrackCache {
   };
   void take_order(const sim::DerivedTrack& derived);
   // How finely a segment is held; 0: not at all.
-  enum class Solid : std::uint8_t { none, straight, swept, with_parts };
+  enum class SolidDetail : std::uint8_t { none, straight, swept, with_parts };
   struct Level {
     int lines = 0;
-    Solid solid = Solid::none;
+    SolidDetail solid = SolidDetail::none;
     friend bool operator==(const Level&, const Level&) = default;
   };
   Level level_of(std::size_t index) const {
     const bool full = levels_.solid(sizes_[index]);
-    return {levels_.lines_of(sizes_[index]), parts_everywhere_ || near_[index] != 0 ? Solid::with_parts
-                                             : full                                 ? Solid::swept
-                                                                                    : Solid::straight};
+    return {levels_.lines_of(sizes_[index]), parts_everywhere_ || near_[index] != 0 ? SolidDetail::with_parts
+                                             : full                                 ? SolidDetail::swept
+                                                                                    : SolidDetail::straight};
   }
   Slot& slot_of(world::Entity segment);
   static std::int64_t bytes_of(const Slot& slot) {
@@ -160,8 +160,8 @@ class TrackCache {
   SweptTrack swept_;
   MeshPool mesh_;
   SupportCache supports_;
-  Object line_array_;
-  Ranges line_ranges_, control_ranges_;
+  GlObject line_array_;
+  RangeAllocator line_ranges_, control_ranges_;
   std::vector<Slot> slots_;         // by the entity's index
   std::vector<SegmentSize> sizes_;  // by the entity's index
   std::vector<Level> levels_held_;  // by the entity's index: the level in the slot
@@ -172,7 +172,7 @@ class TrackCache {
   // Values of the last sync.
   std::uint64_t last_build_ = 0;
   world::Evaluation evaluation_;
-  Sight sight_, levels_for_;
+  LevelView sight_, levels_for_;
   LevelChoice level_choice_;
   SegmentLevels levels_, levels_compared_;  // of this sync; those that all slots were last compared with
   std::vector<Placed> placed_;              // by slot of control points
@@ -180,7 +180,7 @@ class TrackCache {
   sim::Polyline polyline_;
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
-  sim::Detail detail_, near_detail_;  // of the meshes
+  sim::SolidsDetail detail_, near_detail_;  // of the meshes
   sim::NearSegments near_track_;
   float ties_ = 0;
   bool parts_everywhere_ = true;

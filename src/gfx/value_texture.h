@@ -28,7 +28,7 @@ class ValueTexture {
   void fit(int rows);
 
   const Gl* gl_;
-  Object texture_;
+  GlObject texture_;
   int rows_ = 0;
   std::vector<float> held_;
   std::vector<bool> changed_;  // by row; kept for its capacity

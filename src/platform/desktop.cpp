@@ -48,16 +48,16 @@ int run_frames(std::function<bool()> step, std::function<int()> finish) {
   return finish();
 }
 
-bool Encoder::in_page() { return false; }
-base::Result<std::unique_ptr<Encoder>> Encoder::start(int) {
+bool BrowserEncoder::in_page() { return false; }
+base::Result<std::unique_ptr<BrowserEncoder>> BrowserEncoder::start(int) {
   return base::Status{base::Code::refused, "Only a browser has an encoder."};
 }
-Encoder::~Encoder() = default;
-bool Encoder::ready() const { return true; }
-base::Status Encoder::add(int, int, std::span<const std::uint8_t>) { return {}; }
-void Encoder::finish(const std::string&) {}
-std::optional<std::string> Encoder::poll() { return std::nullopt; }
-double Encoder::done() const { return 0; }
+BrowserEncoder::~BrowserEncoder() = default;
+bool BrowserEncoder::ready() const { return true; }
+base::Status BrowserEncoder::add(int, int, std::span<const std::uint8_t>) { return {}; }
+void BrowserEncoder::finish(const std::string&) {}
+std::optional<std::string> BrowserEncoder::poll() { return std::nullopt; }
+double BrowserEncoder::done() const { return 0; }
 
 std::vector<SystemFont> fonts_with(std::vector<unsigned> characters) {
   std::vector<SystemFont> fonts;

@@ -54,8 +54,8 @@ std::vector<std::string> key_names() {
   return names;
 }
 
-std::optional<Chord> parse_chord(std::string_view text) {
-  Chord chord;
+std::optional<KeyChord> parse_chord(std::string_view text) {
+  KeyChord chord;
   std::string rest = base::lower(text);
   for (;;) {
     const std::size_t plus = rest.find('+');
@@ -71,7 +71,7 @@ std::optional<Chord> parse_chord(std::string_view text) {
   return chord;
 }
 
-std::string to_text(const Chord& chord) {
+std::string to_text(const KeyChord& chord) {
   std::string out;
   if (chord.modifiers.ctrl) out += "Ctrl+";
   if (chord.modifiers.shift) out += "Shift+";

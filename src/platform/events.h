@@ -74,7 +74,7 @@ struct KeyPress {
 struct TextInput {
   std::string utf8;
 };
-struct Drop {
+struct FileDrop {
   std::string path;
 };  // a file dropped on the window
 struct Resize {
@@ -102,18 +102,18 @@ struct Tick {
   double dt = 0;
 };  // the last event of each poll: seconds since the previous one
 
-using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, Drop, Resize, Focus, Expose,
+using Event = std::variant<MouseMove, MouseButton, Wheel, KeyPress, TextInput, FileDrop, Resize, Focus, Expose,
                            CloseRequest, GamepadAxes, GamepadButton, Tick>;
 using Events = std::vector<Event>;
 
 // "F", "Escape", "Ctrl+Z", "Ctrl+Shift+S", "Space", "Delete", "F12"; case-insensitive; nothing for unknown names.
-struct Chord {
+struct KeyChord {
   Key key = Key::unknown;
   Modifiers modifiers;
-  friend bool operator==(const Chord&, const Chord&) = default;
+  friend bool operator==(const KeyChord&, const KeyChord&) = default;
 };
-std::optional<Chord> parse_chord(std::string_view text);
-std::string to_text(const Chord& chord);
+std::optional<KeyChord> parse_chord(std::string_view text);
+std::string to_text(const KeyChord& chord);
 
 // Returns the key at a place of the US layout that types `print` without modifiers (UTF-8; "" if nothing or a dead
 // key); Key::unknown if it has no name. A Latin letter is the printed one. The row of digits has the digits, also where

@@ -143,7 +143,7 @@ class WindowSurface final : public Surface {
     glfwSetCharCallback(
         window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-      for (int i = 0; i < count; ++i) of(w).pending_.push_back(Drop{paths[i]});
+      for (int i = 0; i < count; ++i) of(w).pending_.push_back(FileDrop{paths[i]});
     });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) {
       of(w).pending_.push_back(Resize{width, height});
@@ -207,7 +207,7 @@ class WindowSurface final : public Surface {
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
   void toggle_full_screen() override {
     if (windowed_) {
-      const Placement before = *std::exchange(windowed_, std::nullopt);
+      const WindowPlacement before = *std::exchange(windowed_, std::nullopt);
       glfwSetWindowMonitor(window_, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
       if (before.maximised) glfwMaximizeWindow(window_);
       return;
@@ -219,16 +219,16 @@ class WindowSurface final : public Surface {
   }
   bool is_window() const override { return true; }
   std::string library() const override { return window_library(); }
-  std::optional<Placement> placement() const override {
+  std::optional<WindowPlacement> placement() const override {
     if (windowed_) return windowed_;
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return std::nullopt;
-    Placement now;
+    WindowPlacement now;
     glfwGetWindowPos(window_, &now.x, &now.y);
     glfwGetWindowSize(window_, &now.width, &now.height);
     now.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
     return now.width > 0 && now.height > 0 ? std::optional(now) : std::nullopt;
   }
-  void place(const Placement& wanted) override {
+  void place(const WindowPlacement& wanted) override {
     std::vector<Screen> screens;
     int count = 0;
     GLFWmonitor** const monitors = glfwGetMonitors(&count);
@@ -237,7 +237,7 @@ class WindowSurface final : public Surface {
       glfwGetMonitorWorkarea(monitors[i], &screen.x, &screen.y, &screen.width, &screen.height);
       if (screen.width > 0 && screen.height > 0) screens.push_back(screen);
     }
-    const Placement placed = fitted(wanted, screens);
+    const WindowPlacement placed = fitted(wanted, screens);
     glfwSetWindowPos(window_, placed.x, placed.y);
     glfwSetWindowSize(window_, placed.width, placed.height);
     if (placed.maximised) glfwMaximizeWindow(window_);
@@ -301,7 +301,7 @@ class WindowSurface final : public Surface {
   std::array<bool, kPadButtonNames.size()> pad_down_{};
   std::array<Key, GLFW_KEY_LAST + 2> pressed_{};  // what each key was when it was pressed, by GLFW's code + 1
   std::string title_;
-  std::optional<Placement> windowed_;  // before it filled the screen
+  std::optional<WindowPlacement> windowed_;  // before it filled the screen
   PFNGLBINDFRAMEBUFFERPROC bind_framebuffer_ = nullptr;
   PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
 };

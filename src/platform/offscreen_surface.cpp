@@ -288,8 +288,8 @@ class OffscreenSurface final : public Surface {
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   bool is_window() const override { return false; }
   std::string library() const override { return library_; }
-  std::optional<Placement> placement() const override { return std::nullopt; }
-  void place(const Placement&) override {}
+  std::optional<WindowPlacement> placement() const override { return std::nullopt; }
+  void place(const WindowPlacement&) override {}
 
  private:
   OffscreenContext context_;
@@ -300,14 +300,14 @@ class OffscreenSurface final : public Surface {
   std::string clipboard_;
 };
 
-struct Library {
+struct OffscreenLibrary {
   std::string_view choice, name;
   base::Result<OffscreenContext> (*make)();
   bool by_name_alone = false;
 };
-constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
-                                  {"egl", "EGL", [] { return make_egl_context(false); }},
-                                  {"gles", "EGL", [] { return make_egl_context(true); }, true}};
+constexpr OffscreenLibrary kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
+                                           {"egl", "EGL", [] { return make_egl_context(false); }},
+                                           {"gles", "EGL", [] { return make_egl_context(true); }, true}};
 
 }  // namespace
 
@@ -330,7 +330,7 @@ base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& opti
   const char* const named = std::getenv("COASTER_HEADLESS");
   const std::string wanted = options.headless.empty() && named ? named : options.headless;
   std::string reasons;
-  for (const Library& library : kLibraries) {
+  for (const OffscreenLibrary& library : kLibraries) {
     if (wanted.empty() ? library.by_name_alone : library.choice != wanted) continue;
     auto context = library.make();
     if (context)

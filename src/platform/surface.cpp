@@ -10,19 +10,19 @@ int overlap(int a, int a_size, int b, int b_size) {
   return std::max(0, std::min(a + a_size, b + b_size) - std::max(a, b));
 }
 
-std::int64_t shared(const Placement& p, const Screen& s) {
+std::int64_t shared(const WindowPlacement& p, const Screen& s) {
   return std::int64_t{overlap(p.x, p.width, s.x, s.width)} * overlap(p.y, p.height, s.y, s.height);
 }
 
 }  // namespace
 
-Placement fitted(const Placement& wanted, std::span<const Screen> screens) {
+WindowPlacement fitted(const WindowPlacement& wanted, std::span<const Screen> screens) {
   constexpr int kReach = 100, kTitle = 32;  // px
   if (screens.empty()) return wanted;
   const Screen& on = *std::max_element(screens.begin(), screens.end(), [&](const Screen& a, const Screen& b) {
     return shared(wanted, a) < shared(wanted, b);
   });
-  Placement placed = wanted;
+  WindowPlacement placed = wanted;
   placed.width = std::min(wanted.width, on.width);
   placed.height = std::min(wanted.height, on.height);
   if (shared(wanted, on) == 0) {

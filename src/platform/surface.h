@@ -14,10 +14,10 @@
 namespace coaster::platform {
 
 // Position and size in the window system's coordinates, without the window frame.
-struct Placement {
+struct WindowPlacement {
   int x = 0, y = 0, width = 0, height = 0;
   bool maximised = false;
-  friend bool operator==(const Placement&, const Placement&) = default;
+  friend bool operator==(const WindowPlacement&, const WindowPlacement&) = default;
 };
 
 // The area of a screen that windows may cover.
@@ -65,9 +65,9 @@ class Surface {
   virtual std::string library() const = 0;  // that created the context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the
   // screen.
-  virtual std::optional<Placement> placement() const = 0;
+  virtual std::optional<WindowPlacement> placement() const = 0;
   // Moves the window there, or to the nearest visible position.
-  virtual void place(const Placement& placement) = 0;
+  virtual void place(const WindowPlacement& placement) = 0;
 };
 
 struct SurfaceOptions {
@@ -97,6 +97,6 @@ base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& opti
 // Returns `wanted` adjusted to the screens: not larger than the screen it is mostly on, and moved there if less than
 // 100 px of its top edge, which holds the title, is on a screen. If it is on no screen: centred on the first. Without
 // screens: unchanged.
-Placement fitted(const Placement& wanted, std::span<const Screen> screens);
+WindowPlacement fitted(const WindowPlacement& wanted, std::span<const Screen> screens);
 
 }  // namespace coaster::platform

@@ -15,14 +15,14 @@
 namespace coaster::platform {
 
 // A browser's own encoder of movies (WebM). Only a page has one: elsewhere movies are files of pictures (app/movie.h).
-class Encoder {
+class BrowserEncoder {
  public:
   // True in a page, even if its browser has no encoder.
   static bool in_page();
   // Begins a movie of `rate` pictures a second. Code::refused with the reason if the browser cannot encode.
-  static base::Result<std::unique_ptr<Encoder>> start(int rate);
+  static base::Result<std::unique_ptr<BrowserEncoder>> start(int rate);
   // Without finish(): discards the movie. NOLINTNEXTLINE(performance-trivially-destructible): a page's does that
-  ~Encoder();
+  ~BrowserEncoder();
 
   // False while several pictures wait: a page that goes on adding runs out of memory.
   bool ready() const;

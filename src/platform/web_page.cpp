@@ -58,33 +58,33 @@ int run_frames(std::function<bool()> step, std::function<int()> finish) {
   return 0;
 }
 
-bool Encoder::in_page() { return true; }
+bool BrowserEncoder::in_page() { return true; }
 
-base::Result<std::unique_ptr<Encoder>> Encoder::start(int rate) {
+base::Result<std::unique_ptr<BrowserEncoder>> BrowserEncoder::start(int rate) {
   if (js_has_encoder() == 0)
     return base::Status{base::Code::refused,
                         "This browser cannot encode movies here. It needs WebCodecs and a page sent by https."};
   js_begin(rate);
-  return std::make_unique<Encoder>();
+  return std::make_unique<BrowserEncoder>();
 }
 
-Encoder::~Encoder() { js_end(); }
-bool Encoder::ready() const { return js_waiting() < 4; }
+BrowserEncoder::~BrowserEncoder() { js_end(); }
+bool BrowserEncoder::ready() const { return js_waiting() < 4; }
 
-base::Status Encoder::add(int width, int height, std::span<const std::uint8_t> rgba) {
+base::Status BrowserEncoder::add(int width, int height, std::span<const std::uint8_t> rgba) {
   js_add(rgba.data(), width, height);
   const std::string failed = said(true);
   return failed.empty() ? base::Status{} : base::Status{base::Code::io, "The browser's encoder failed: " + failed};
 }
 
-void Encoder::finish(const std::string& name) { js_finish(name.c_str()); }
+void BrowserEncoder::finish(const std::string& name) { js_finish(name.c_str()); }
 
-std::optional<std::string> Encoder::poll() {
+std::optional<std::string> BrowserEncoder::poll() {
   std::string text = said(false);
   return text.empty() ? std::nullopt : std::optional(std::move(text));
 }
 
-double Encoder::done() const { return js_part(); }
+double BrowserEncoder::done() const { return js_part(); }
 std::vector<SystemFont> fonts_with(std::vector<unsigned>) { return {}; }
 
 }  // namespace coaster::platform

@@ -185,7 +185,7 @@ class WebSurface final : public Surface {
   }
   void end_sound() override {
     // clang-format off
-    if (window_) EM_ASM({ for (const device of Object.values(AL.contexts)) device.audioCtx.close(); });
+    if (window_) EM_ASM({ for (const device of GlObject.values(AL.contexts)) device.audioCtx.close(); });
     // clang-format on
   }
   void take_text(bool wanted) override {
@@ -198,14 +198,14 @@ class WebSurface final : public Surface {
   void before_leaving(const std::function<bool()>& autosave) override { autosave_ = autosave; }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
-  std::optional<Placement> placement() const override { return std::nullopt; }
-  void place(const Placement&) override {}
+  std::optional<WindowPlacement> placement() const override { return std::nullopt; }
+  void place(const WindowPlacement&) override {}
 
   std::string answer(const std::string& question) const { return ask_ ? ask_(question) : ""; }
   bool autosave() const { return autosave_ && autosave_(); }
 
   // From the page: a file or a link to open, and text that the browser pastes.
-  void drop(const char* path) { pending_.push_back(Drop{path}); }
+  void drop(const char* path) { pending_.push_back(FileDrop{path}); }
   void paste(const char* text) {
     clipboard_ = text;
     for (const bool down : {true, false}) pending_.push_back(KeyPress{Key::v, down, false, {false, true, false}});

@@ -1,7 +1,7 @@
 // The values of all queries at once, for state.json of a script.
 #pragma once
 
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 #include "query/query.h"
 
 namespace coaster::query {

@@ -53,7 +53,7 @@ std::optional<double> place_of(const edit::SessionFindings& find, std::string_vi
 }
 
 // Returns the knot that a rule is about: that of the weakest joint, or the one it names; empty without one.
-std::string knot_of(const edit::SessionFindings& find, const Rule& rule) {
+std::string knot_of(const edit::SessionFindings& find, const ParsedRule& rule) {
   const Query& query = *rule.query;
   if (const bool parametric = query.name == "parametric_min"; parametric || query.name == "geometric_min") {
     const auto weakest =
@@ -80,18 +80,18 @@ base::Status at_rule(std::string_view path, RuleList list, std::size_t index, in
 
 std::optional<bool> less_is_better(const Condition& condition) {
   if (!condition.op || condition.negated) return std::nullopt;
-  if (*condition.op == Op::less || *condition.op == Op::less_equal) return true;
-  if (*condition.op == Op::greater || *condition.op == Op::greater_equal) return false;
+  if (*condition.op == ComparisonOperator::less || *condition.op == ComparisonOperator::less_equal) return true;
+  if (*condition.op == ComparisonOperator::greater || *condition.op == ComparisonOperator::greater_equal) return false;
   return std::nullopt;
 }
 
-std::string full_name(const Rule& rule) {
+std::string full_name(const ParsedRule& rule) {
   const std::string& argument = rule.condition.argument;
   return fmt::format("{}{}{}", rule.query->name, argument.empty() ? "" : " ", argument);
 }
 
 // Returns "at most" for <=, or what "not" makes of it.
-std::string_view words_of(Op op, bool negated) {
+std::string_view words_of(ComparisonOperator op, bool negated) {
   struct Row {
     std::string_view plain, negated;
   };
@@ -107,7 +107,7 @@ std::string_view words_of(Op op, bool negated) {
 }
 
 // Returns "at most 1.2 g": the values that meet the rule. Empty for a rule that only holds or does not.
-std::string needed(const Rule& rule) {
+std::string needed(const ParsedRule& rule) {
   const Condition& condition = rule.condition;
   if (!condition.op || (condition.values.size() == 1 && base::parse_switch(condition.values[0].text))) return {};
   std::string text(words_of(*condition.op, condition.negated));
@@ -117,7 +117,7 @@ std::string needed(const Rule& rule) {
 }
 
 // Returns why a rule fails: for an overload, its kind and duration.
-std::string reason_of(const edit::SessionFindings& find, const Rule& rule, const RuleResult& finding) {
+std::string reason_of(const edit::SessionFindings& find, const ParsedRule& rule, const RuleResult& finding) {
   const auto overloads = rule.query->name == "ride.envelope" ? find.overloads() : std::span<const sim::Overload>();
   if (!overloads.empty()) {
     const sim::Overload& span = overloads.front();
@@ -148,8 +148,8 @@ bool may_judge(const Query& query) {
                              [&](std::span<const Query> rows) { return has_row(rows, query.name); });
 }
 
-base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path) {
-  std::vector<Rule> rules;
+base::Result<std::vector<ParsedRule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path) {
+  std::vector<ParsedRule> rules;
   for (std::size_t list = 0; list < challenge.rules.size(); ++list)
     for (std::size_t i = 0; i < challenge.rules[list].size(); ++i) {
       const auto wrong = [&](int column, const std::string& message) {
@@ -157,9 +157,9 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
       };
       std::vector<base::Token> tokens;
       base::TextError error;
-      Rule rule{static_cast<RuleList>(list), i, {}, nullptr};
+      ParsedRule rule{static_cast<RuleList>(list), i, {}, nullptr};
       if (!base::tokenise(challenge.rules[list][i].expect, tokens, error)) return wrong(error.column, error.message);
-      base::Words words(tokens, error);
+      base::WordReader words(tokens, error);
       if (!parse_condition(words, rule.condition) || !words.end()) return wrong(error.column, error.message);
       rule.query = find_query(rule.condition.query);
       if (!may_judge(*rule.query))
@@ -171,7 +171,7 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
 }
 
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path) {
-  const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
+  const base::Result<std::vector<ParsedRule>> rules = read_rules(challenge, path);
   if (!rules) return rules.status();
   for (std::size_t i = 0; i < challenge.locks.size(); ++i)
     if (!edit::is_command_word(challenge.locks[i]))
@@ -180,7 +180,7 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
   return {};
 }
 
-RuleResult look_at(const edit::SessionFindings& find, const Rule& rule) {
+RuleResult look_at(const edit::SessionFindings& find, const ParsedRule& rule) {
   RuleResult finding;
   const base::Result<Value> value = rule.query->evaluate(context_of(find), rule.condition.argument);
   if (!value) {
@@ -208,7 +208,7 @@ RuleResult look_at(const edit::SessionFindings& find, const Rule& rule) {
   return finding;
 }
 
-std::string explain(const Rule& rule, const RuleResult& finding) {
+std::string explain(const ParsedRule& rule, const RuleResult& finding) {
   if (finding.missing) return finding.found;
   const std::string needs = needed(rule);
   if (needs.empty()) return finding.holds ? "this holds" : "this does not hold";
@@ -216,11 +216,11 @@ std::string explain(const Rule& rule, const RuleResult& finding) {
                      finding.place ? fmt::format(" at {:.1f} m", *finding.place) : "", needs);
 }
 
-edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
+edit::ChallengeVerdict judge(edit::Session& session, const edit::RideResult* result) {
   COASTER_CHECK(session.game.challenge, "judging needs an active challenge");
   const edit::ActiveChallenge& challenge = *session.game.challenge;
-  edit::Verdict verdict;
-  const base::Result<std::vector<Rule>> rules = read_rules(challenge.file, challenge.path);
+  edit::ChallengeVerdict verdict;
+  const base::Result<std::vector<ParsedRule>> rules = read_rules(challenge.file, challenge.path);
   if (!rules) {
     verdict.reason = rules.status().message;
     return verdict;
@@ -228,7 +228,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
   verdict.reason = unridden(challenge, result);
   if (!verdict.reason.empty() && result != nullptr) verdict.place = result->place;
   bool silver = true, gold = true;
-  for (const Rule& rule : *rules) {
+  for (const ParsedRule& rule : *rules) {
     const RuleResult finding = look_at(session, rule);
     const auto better = less_is_better(rule.condition);
     const bool known = std::any_of(verdict.values.begin(), verdict.values.end(),

@@ -16,7 +16,7 @@ namespace coaster::query {
 bool may_judge(const Query& query);
 
 // One parsed rule.
-struct Rule {
+struct ParsedRule {
   exchange::RuleList list{};
   std::size_t index = 0;  // index in that list
   Condition condition;
@@ -24,13 +24,13 @@ struct Rule {
 };
 
 // True for rules that every medal needs.
-inline bool must_hold(const Rule& rule) {
+inline bool must_hold(const ParsedRule& rule) {
   return rule.list != exchange::RuleList::silver && rule.list != exchange::RuleList::gold;
 }
 
 // Parses all rules in the order of exchange::RuleList. Code::bad_file with "PATH: error: goals[1].expect:5: ..."
 // (columns count from 1) for the first rule that cannot be parsed or uses a query that may not judge.
-base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
+base::Result<std::vector<ParsedRule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
 
 // Checks all rules; also fails for the first rule with operands that cannot be compared.
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path);
@@ -43,15 +43,15 @@ struct RuleResult {
   std::optional<double> value;  // of numeric queries
   std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
-RuleResult look_at(const edit::SessionFindings& find, const Rule& rule);
+RuleResult look_at(const edit::SessionFindings& find, const ParsedRule& rule);
 
 // Returns "you have 1.41 g at 87.3 m; you need at most 1.2 g", or why there is no value.
-std::string explain(const Rule& rule, const RuleResult& finding);
+std::string explain(const ParsedRule& rule, const RuleResult& finding);
 
 // Judges the session's challenge. Bronze: the ride counts and all goals, limits and bronze's own rules hold. Silver and
 // gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for
 // JudgedWhen::build.
-edit::Verdict judge(edit::Session& session, const edit::RideResult* result);
+edit::ChallengeVerdict judge(edit::Session& session, const edit::RideResult* result);
 
 // Returns the functions that a session needs.
 edit::ExpressionEvaluator referee();

@@ -15,22 +15,22 @@ namespace {
 
 using base::lower;
 using base::parse_switch, base::quoted_start;
-using base::Words;
+using base::WordReader;
 
 struct OpName {
   std::string_view text;
-  Op op;
+  ComparisonOperator op;
 };
-constexpr std::array<OpName, 8> kOps{{{"==", Op::equal},
-                                      {"=", Op::equal},
-                                      {"!=", Op::not_equal},
-                                      {"<", Op::less},
-                                      {"<=", Op::less_equal},
-                                      {">", Op::greater},
-                                      {">=", Op::greater_equal},
-                                      {"~", Op::contains}}};
+constexpr std::array<OpName, 8> kOps{{{"==", ComparisonOperator::equal},
+                                      {"=", ComparisonOperator::equal},
+                                      {"!=", ComparisonOperator::not_equal},
+                                      {"<", ComparisonOperator::less},
+                                      {"<=", ComparisonOperator::less_equal},
+                                      {">", ComparisonOperator::greater},
+                                      {">=", ComparisonOperator::greater_equal},
+                                      {"~", ComparisonOperator::contains}}};
 
-std::optional<Op> op_of(const base::Token& word) {
+std::optional<ComparisonOperator> op_of(const base::Token& word) {
   if (word.quoted) return std::nullopt;
   for (const OpName& row : kOps)
     if (row.text == word.text) return row.op;
@@ -38,17 +38,17 @@ std::optional<Op> op_of(const base::Token& word) {
 }
 
 // Operators of other languages, and what a condition says in their place.
-struct OtherOp {
+struct ForeignOperator {
   std::string_view text, here;
 };
-constexpr OtherOp kOtherOps[]{{"is", "=="},      {"equals", "=="}, {"eq", "=="}, {"===", "=="},     {"ne", "!="},
-                              {"<>", "!="},      {"!==", "!="},    {"gt", ">"},  {"ge", ">="},      {"=>", ">="},
-                              {"lt", "<"},       {"le", "<="},     {"=<", "<="}, {"contains", "~"}, {"has", "~"},
-                              {"includes", "~"}, {"matches", "~"}};
+constexpr ForeignOperator kOtherOps[]{
+    {"is", "=="},  {"equals", "=="},  {"eq", "=="}, {"===", "=="},     {"ne", "!="},    {"<>", "!="},
+    {"!==", "!="}, {"gt", ">"},       {"ge", ">="}, {"=>", ">="},      {"lt", "<"},     {"le", "<="},
+    {"=<", "<="},  {"contains", "~"}, {"has", "~"}, {"includes", "~"}, {"matches", "~"}};
 
 // Returns what the message about an unknown operator ends with; a value alone lacks one.
 std::string near_op(const base::Token& word, bool last) {
-  for (const OtherOp& row : kOtherOps)
+  for (const ForeignOperator& row : kOtherOps)
     if (row.text == lower(word.text)) return fmt::format("; did you mean \"{}\"?", row.here);
   return last && !word.quoted ? fmt::format("; did you mean {}?", quoted_start("== " + word.text)) : "";
 }
@@ -65,7 +65,7 @@ std::optional<std::string> tolerance_in(const base::Token& word) {
   return std::nullopt;
 }
 
-bool parse_tolerance(Words& words, Condition& condition) {
+bool parse_tolerance(WordReader& words, Condition& condition) {
   const base::Token* const word = words.take("a tolerance");
   const std::string attached = *tolerance_in(*word);
   if (attached.empty()) {
@@ -91,17 +91,17 @@ std::string as_written(const base::Token& word) { return word.quoted ? base::quo
 base::Status mismatch(std::string message) { return {base::Code::usage, std::move(message)}; }
 
 // Compares by the sign of (found - wanted); equal within the tolerance.
-bool ordered(Op op, double found, double wanted, double tolerance, bool exact) {
+bool ordered(ComparisonOperator op, double found, double wanted, double tolerance, bool exact) {
   const bool same =
       std::abs(found - wanted) <= tolerance || (!exact && static_cast<float>(found) == static_cast<float>(wanted));
   switch (op) {
-    case Op::equal: return same;
-    case Op::not_equal: return !same;
-    case Op::less: return found < wanted && !(exact && same && tolerance > 0);
-    case Op::less_equal: return found <= wanted || same;
-    case Op::greater: return found > wanted;
-    case Op::greater_equal: return found >= wanted || same;
-    case Op::contains: return same;
+    case ComparisonOperator::equal: return same;
+    case ComparisonOperator::not_equal: return !same;
+    case ComparisonOperator::less: return found < wanted && !(exact && same && tolerance > 0);
+    case ComparisonOperator::less_equal: return found <= wanted || same;
+    case ComparisonOperator::greater: return found > wanted;
+    case ComparisonOperator::greater_equal: return found >= wanted || same;
+    case ComparisonOperator::contains: return same;
   }
   return false;
 }
@@ -116,9 +116,9 @@ std::optional<double> number_of(std::string_view text) {
 
 base::Result<bool> meets(const Condition& c, double found) {
   const std::string wanted_text = joined(c.values);
-  if (*c.op == Op::contains && !c.tolerance)
+  if (*c.op == ComparisonOperator::contains && !c.tolerance)
     return lower(base::to_text(found)).find(lower(wanted_text)) != std::string::npos;
-  if (wanted_text == kNone) return *c.op == Op::not_equal;
+  if (wanted_text == kNone) return *c.op == ComparisonOperator::not_equal;
   const auto wanted = number_of(wanted_text);
   if (!wanted) return mismatch("expected a number, found " + quoted_start(wanted_text));
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
@@ -138,18 +138,18 @@ base::Result<bool> meets(const Condition& c, const std::string& found) {
     return mismatch("expected a text that begins with a number, found " + quoted_start(found));
   }
   const std::string wanted = joined(c.values);
-  if (*c.op == Op::contains) return lower(found).find(lower(wanted)) != std::string::npos;
+  if (*c.op == ComparisonOperator::contains) return lower(found).find(lower(wanted)) != std::string::npos;
   const auto bare = [](std::string_view t) { return t.starts_with('@') ? t.substr(1) : t; };
   const auto found_switch = parse_switch(found), wanted_switch = parse_switch(wanted);
   const bool same = bare(found) == bare(wanted) || (found_switch && found_switch == wanted_switch);
-  return *c.op == Op::equal ? same : *c.op == Op::not_equal && !same;
+  return *c.op == ComparisonOperator::equal ? same : *c.op == ComparisonOperator::not_equal && !same;
 }
 
 bool meets(const Condition& c, const Ranked& found) {
   const std::string wanted = joined(c.values);
-  if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
+  if (*c.op == ComparisonOperator::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
   const std::optional<int> rank = rank_of(*find_query(c.query), wanted);
-  return rank ? ordered(*c.op, found.rank, *rank, 0, true) : *c.op == Op::not_equal;  // none is no rank
+  return rank ? ordered(*c.op, found.rank, *rank, 0, true) : *c.op == ComparisonOperator::not_equal;  // none is no rank
 }
 
 bool meets(const Condition&, const NoValue&) { return false; }
@@ -158,13 +158,13 @@ bool meets(const Condition& c, glm::dvec3 found) {
   bool same = c.values.size() == 3;
   for (int axis = 0; same && axis < 3; ++axis) {
     const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
-    same = wanted &&
-           ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
+    same = wanted && ordered(ComparisonOperator::equal, found[axis], *wanted, c.tolerance.value_or(0),
+                             whole(found[axis]) && whole(*wanted));
   }
-  return (*c.op == Op::not_equal) != same;
+  return (*c.op == ComparisonOperator::not_equal) != same;
 }
 
-bool check_numbers(Words& words, const Query& query, const Condition& c, std::size_t count) {
+bool check_numbers(WordReader& words, const Query& query, const Condition& c, std::size_t count) {
   const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
   if (c.values.size() != count)
     return words.fail(c.values.front().column,
@@ -178,26 +178,28 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
 }
 
 // Checks that the query can have these values and that the operator can compare them.
-bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op, bool tolerance) {
+bool check_values(WordReader& words, const Query& query, const Condition& c, const base::Token& op, bool tolerance) {
   const auto [type, names] = values_with(query, c.argument);
-  if (tolerance && (type == Type::ranked || !names.empty() || joined(c.values) == kNone))
+  if (tolerance && (type == ValueType::ranked || !names.empty() || joined(c.values) == kNone))
     return words.fail(c.values.front().column, "a tolerance needs a number, found " + quoted_start(joined(c.values)));
-  if (tolerance && type == Type::text) return check_numbers(words, query, c, 1);
-  if (c.op == Op::contains) return true;
-  const bool equality = c.op == Op::equal || c.op == Op::not_equal;
-  if (!equality && (type == Type::text || type == Type::vector))
-    return words.fail(op.column,
-                      fmt::format("a {} can be compared only with {}, found {}", type == Type::text ? "text" : "vector",
-                                  type == Type::text ? "==, != and ~" : "== and !=", quoted_start(op.text)));
+  if (tolerance && type == ValueType::text) return check_numbers(words, query, c, 1);
+  if (c.op == ComparisonOperator::contains) return true;
+  const bool equality = c.op == ComparisonOperator::equal || c.op == ComparisonOperator::not_equal;
+  if (!equality && (type == ValueType::text || type == ValueType::vector))
+    return words.fail(
+        op.column,
+        fmt::format("a {} can be compared only with {}, found {}", type == ValueType::text ? "text" : "vector",
+                    type == ValueType::text ? "==, != and ~" : "== and !=", quoted_start(op.text)));
   const std::string all = joined(c.values);
-  if (all == kNone && !equality && type == Type::number)
+  if (all == kNone && !equality && type == ValueType::number)
     return words.fail(op.column,
                       fmt::format("none can be compared only with == and !=, found {}", quoted_start(op.text)));
-  if (all == kNone && (type != Type::ranked || !query.argument.empty())) return true;
-  if (type == Type::number || type == Type::vector) return check_numbers(words, query, c, type == Type::number ? 1 : 3);
+  if (all == kNone && (type != ValueType::ranked || !query.argument.empty())) return true;
+  if (type == ValueType::number || type == ValueType::vector)
+    return check_numbers(words, query, c, type == ValueType::number ? 1 : 3);
   if (names.empty()) return true;
-  if (type == Type::ranked ? rank_of(query, all).has_value()
-                           : std::find(names.begin(), names.end(), all) != names.end())
+  if (type == ValueType::ranked ? rank_of(query, all).has_value()
+                                : std::find(names.begin(), names.end(), all) != names.end())
     return true;
   return words.fail(c.values.front().column, fmt::format("expected {}, found {}{}", base::alternatives(names),
                                                          quoted_start(all), base::suggestion(all, names)));
@@ -223,7 +225,7 @@ bool is_true(const Value& value) {
 
 }  // namespace
 
-bool parse_condition(Words& words, Condition& condition, std::string_view stop) {
+bool parse_condition(WordReader& words, Condition& condition, std::string_view stop) {
   if (words.accept("not")) condition.negated = true;
   const base::Token* const name = words.take("a query");
   if (!name) return false;
@@ -254,7 +256,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   if (stops()) return true;
   const base::Token* const op = words.peek();
   if (query->values.words == on_off && rank_of(*query, op->text)) {  // "closed off"
-    condition.op = Op::equal;
+    condition.op = ComparisonOperator::equal;
   } else {
     words.take("an operator");
     condition.op = op_of(*op);
@@ -281,8 +283,9 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
 base::Result<bool> holds(const Condition& condition, const Value& value) {
   if (is_none(value)) {
     const bool compares =
-        (condition.op == Op::equal || condition.op == Op::not_equal) && joined(condition.values) == kNone;
-    return compares && (condition.op == Op::equal) != condition.negated;
+        (condition.op == ComparisonOperator::equal || condition.op == ComparisonOperator::not_equal) &&
+        joined(condition.values) == kNone;
+    return compares && (condition.op == ComparisonOperator::equal) != condition.negated;
   }
   const auto meets_it = [&](const auto& v) -> base::Result<bool> { return meets(condition, v); };
   const base::Result<bool> result = condition.op ? std::visit(meets_it, value) : base::Result<bool>(is_true(value));

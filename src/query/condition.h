@@ -11,12 +11,12 @@
 
 namespace coaster::query {
 
-enum class Op : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal, contains };
+enum class ComparisonOperator : std::uint8_t { equal, not_equal, less, less_equal, greater, greater_equal, contains };
 
 // "<query> [argument] <op> <value> [+-tolerance]". Without an operator the value must be true.
 struct Condition {
   std::string query, argument;
-  std::optional<Op> op;
+  std::optional<ComparisonOperator> op;
   std::vector<base::Token> values;
   std::optional<double> tolerance;
   bool negated = false;
@@ -26,7 +26,7 @@ struct Condition {
 
 // Parses a condition up to the end of the words or a word of `stop` ("max" of wait). On failure returns false; the
 // error is in `words`.
-bool parse_condition(base::Words& words, Condition& condition, std::string_view stop = {});
+bool parse_condition(base::WordReader& words, Condition& condition, std::string_view stop = {});
 
 // True if the value meets the condition. None meets only == none and not != none. Without a tolerance, numbers are
 // equal if they are equal as written or in single precision. Texts compare without a leading @; "~" means contains,

@@ -36,14 +36,14 @@ bool may_be_sought(const Query& query) {
   return may_judge(query) || has_row(rider_rows(), query.name) || has_row(section_rows(), query.name);
 }
 
-struct Goal {
+struct ParsedGoal {
   const Query* query = nullptr;
   std::string argument;
-  Op op{};
+  ComparisonOperator op{};
   double wanted = 0, tolerance = 0;
 };
 
-std::optional<Goal> parse_goal(base::Words& words) {
+std::optional<ParsedGoal> parse_goal(base::WordReader& words) {
   Condition condition;
   if (!parse_condition(words, condition) || !words.end()) return std::nullopt;
   const auto fail = [&](int column, std::string_view message) {
@@ -51,11 +51,12 @@ std::optional<Goal> parse_goal(base::Words& words) {
     return std::nullopt;
   };
   const Query* const query = find_query(condition.query);
-  const bool numeric = values_with(*query, condition.argument).type == Type::number;
+  const bool numeric = values_with(*query, condition.argument).type == ValueType::number;
   if (!may_be_sought(*query) || !numeric)
     return fail(condition.column, base::quoted_start(condition.query) +
                                       " cannot be sought: expected a query of track or ride with a number");
-  const bool compares = condition.op && *condition.op != Op::not_equal && *condition.op != Op::contains;
+  const bool compares =
+      condition.op && *condition.op != ComparisonOperator::not_equal && *condition.op != ComparisonOperator::contains;
   if (!compares || condition.negated)
     return fail(condition.column, "expected a goal with == < <= > or >= and a number, such as ride.lap_time == 40");
   const auto number = condition.values.size() == 1 ? base::parse_double(condition.values.front().text) : std::nullopt;
@@ -63,14 +64,15 @@ std::optional<Goal> parse_goal(base::Words& words) {
     return fail(condition.values.front().column,
                 "expected one number, found " + base::quoted_start(condition.values.front().text));
   const double usual = 1e-3 * std::max(std::abs(*number), 1.0);
-  return Goal{query, condition.argument, *condition.op, *number, std::max(condition.tolerance.value_or(usual), 1e-9)};
+  return ParsedGoal{query, condition.argument, *condition.op, *number,
+                    std::max(condition.tolerance.value_or(usual), 1e-9)};
 }
 
-base::Result<Goal> read_goal(const std::string& text) {
+base::Result<ParsedGoal> read_goal(const std::string& text) {
   std::vector<base::Token> tokens;
   base::TextError error;
   if (base::tokenise(text, tokens, error)) {
-    base::Words words(tokens, error);
+    base::WordReader words(tokens, error);
     if (const auto goal = parse_goal(words)) return *goal;
   }
   return base::Status{base::Code::usage, fmt::format("goal {}: {}", base::quoted_start(text), error.message)};
@@ -80,10 +82,10 @@ base::Result<Goal> read_goal(const std::string& text) {
 
 std::span<const GoalRow> goals() { return kGoals; }
 
-bool check_goal(base::Words& words) { return parse_goal(words).has_value(); }
+bool check_goal(base::WordReader& words) { return parse_goal(words).has_value(); }
 
 base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::string& goal) {
-  const base::Result<Goal> read = read_goal(goal);
+  const base::Result<ParsedGoal> read = read_goal(goal);
   if (!read) return read.status();
   const base::Result<Value> value = read->query->evaluate(context_of(session), read->argument);
   if (!value) return value.status();
@@ -93,8 +95,8 @@ base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::st
                         fmt::format("{} is none{}{}", read->query->name, none->why.empty() ? "" : ": ", none->why)};
   if (!number)
     return base::Status{base::Code::refused, fmt::format("{} is {}, not a number", read->query->name, to_text(*value))};
-  const bool less = read->op == Op::less || read->op == Op::less_equal;
-  const bool equal = read->op == Op::equal;
+  const bool less = read->op == ComparisonOperator::less || read->op == ComparisonOperator::less_equal;
+  const bool equal = read->op == ComparisonOperator::equal;
   edit::GoalState state{*number,
                         read->wanted,
                         read->tolerance,

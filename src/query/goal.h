@@ -18,7 +18,7 @@ struct GoalRow {
 std::span<const GoalRow> goals();
 
 // Reads a goal up to the end of the words. On failure returns false; the error is in `words`.
-bool check_goal(base::Words& words);
+bool check_goal(base::WordReader& words);
 
 // Measures "ride.lap_time == 40", "ride.g_up_max <= 4.5" and the like, with == <= < >= or >. A goal with == is met
 // within its tolerance, by default a thousandth of the number, at least 0.001; the others are met if the comparison

@@ -76,14 +76,14 @@ std::optional<int> rank_of(const Query& query, std::string_view word) {
 // A parameter has the same choices in each element that has it.
 ArgumentValueDomain values_with(const Query& query, std::string_view argument) {
   const ValueDomain& all = query.values;
-  if (all.type != Type::parameter) return {all.type, all.words ? all.words() : std::vector<std::string>()};
+  if (all.type != ValueType::parameter) return {all.type, all.words ? all.words() : std::vector<std::string>()};
   const std::string_view name = argument.substr(argument.rfind('.') + 1);
   ArgumentValueDomain values;
   for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))
     for (const world::ElementParameter& p : row.parameters)
       if (p.name == name && values.words.empty())
         for (const base::NameRow& choice : p.names) values.words.emplace_back(choice.name);
-  if (!values.words.empty()) values.type = Type::text;
+  if (!values.words.empty()) values.type = ValueType::text;
   return values;
 }
 
@@ -125,7 +125,7 @@ base::Result<world::Entity> entity_of(const QueryContext& context, std::string_v
 }
 
 std::optional<curve::JointContinuity> joint_at(const world::Document& document, world::Entity knot) {
-  const world::Neighbours at = world::neighbours(document, knot);
+  const world::KnotSegments at = world::neighbours(document, knot);
   if (!at.before.valid() || !at.after.valid()) return std::nullopt;
   return curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
 }

@@ -35,9 +35,9 @@ inline bool is_none(const Value& value) { return std::holds_alternative<NoValue>
 
 // What the values of a query are. parameter: the argument ends in a parameter of an element, so they are numbers or the
 // names of its choices.
-enum class Type : std::uint8_t { number, text, ranked, vector, parameter };
+enum class ValueType : std::uint8_t { number, text, ranked, vector, parameter };
 struct ValueDomain {
-  Type type = Type::number;
+  ValueType type = ValueType::number;
   std::vector<std::string> (*words)() = nullptr;  // all texts, or null for any text; all ranks, ascending
   bool may_be_none = false;                       // there is no value in some states
   bool of_view = false;  // follows from selection, settings or this machine, too: rules and goals may not use it
@@ -67,9 +67,9 @@ struct Query {
 std::span<const Query> queries();
 const Query* find_query(std::string_view name);
 
-// What the values are with that argument; never Type::parameter. No words: any.
+// What the values are with that argument; never ValueType::parameter. No words: any.
 struct ArgumentValueDomain {
-  Type type = Type::number;
+  ValueType type = ValueType::number;
   std::vector<std::string> words;
 };
 ArgumentValueDomain values_with(const Query& query, std::string_view argument);

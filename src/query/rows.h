@@ -79,12 +79,12 @@ Value value_of(const T& value) {
 
 // The values of a row, by what it returns.
 std::vector<std::string> on_off();
-inline constexpr ValueDomain kText{Type::text}, kVector{Type::vector}, kSwitch{Type::ranked, on_off};
+inline constexpr ValueDomain kText{ValueType::text}, kVector{ValueType::vector}, kSwitch{ValueType::ranked, on_off};
 template <base::Named E>
-inline constexpr ValueDomain kOneOf{Type::text, base::names_of<E>};
+inline constexpr ValueDomain kOneOf{ValueType::text, base::names_of<E>};
 template <base::Named E>
-inline constexpr ValueDomain kRankOf{Type::ranked, base::names_of<E>};
-constexpr ValueDomain texts(std::vector<std::string> (*words)()) { return {Type::text, words}; }
+inline constexpr ValueDomain kRankOf{ValueType::ranked, base::names_of<E>};
+constexpr ValueDomain texts(std::vector<std::string> (*words)()) { return {ValueType::text, words}; }
 constexpr ValueDomain or_none(ValueDomain values = {}) {
   values.may_be_none = true;
   return values;

@@ -231,14 +231,14 @@ constexpr View kNoJoint = "there is no joint";
 
 // An extreme of the joints and the knot where it is; no knot without one.
 template <class ReportRow>
-struct AtJoint {
+struct JointExtreme {
   ReportRow figure{};
   world::Entity knot;
 };
 
 // Returns the largest jump of curvature, at the first joint if there is none.
-AtJoint<double> roughest(const edit::Session& session) {
-  AtJoint<double> found;
+JointExtreme<double> roughest(const edit::Session& session) {
+  JointExtreme<double> found;
   for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const double jump = glm::length(curve::curvature_vector(after, 0.0) - curve::curvature_vector(before, 1.0));
     if (!found.knot.valid() || jump > found.figure) found = {jump, knot};
@@ -247,12 +247,12 @@ AtJoint<double> roughest(const edit::Session& session) {
 }
 Answer g_step_max(const QueryContext& c, View) {
   const auto speed = present_speed(c.session);
-  const AtJoint<double> found = roughest(c.session);
+  const JointExtreme<double> found = roughest(c.session);
   if (!found.knot.valid()) return none(kNoJoint);
   return speed ? number(sim::g_step(found.figure, *speed)) : none(kNoTrain);
 }
 Answer roughest_joint(const QueryContext& c, View) {
-  const AtJoint<double> found = roughest(c.session);
+  const JointExtreme<double> found = roughest(c.session);
   return found.figure > 0 ? text(world::label_of(c.session.document, found.knot)) : none("no joint has a jump");
 }
 // Return steps at the fastest passage of the ride; none where it does not pass.
@@ -269,8 +269,8 @@ Answer ride_g_step_max(const QueryContext& c, View) {
 
 // Returns the least continuity, at the first of several joints.
 template <class Level>
-AtJoint<Level> weakest(const edit::Session& session, Level curve::JointContinuity::*member) {
-  AtJoint<Level> found;
+JointExtreme<Level> weakest(const edit::Session& session, Level curve::JointContinuity::*member) {
+  JointExtreme<Level> found;
   for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const Level level = curve::joint(before, after).*member;
     if (!found.knot.valid() || level < found.figure) found = {level, knot};
@@ -314,7 +314,7 @@ Answer jolt(const QueryContext& c, View argument) {
   });
 }
 Answer jolt_knot(const QueryContext& c, View) {
-  AtJoint<double> worst;
+  JointExtreme<double> worst;
   const std::span<const sim::Jolt> jolts = c.find.jolts();
   for (std::size_t i = 0; i < jolts.size(); ++i)
     if (jolts[i].total > worst.figure) worst = {jolts[i].total, c.session.document.track.knots[i]};
@@ -334,7 +334,7 @@ std::optional<SelectedPosition> selected_place(const edit::Session& session) {
   if (const sim::SegmentShape* const shape = derived.segments.find(e))
     return SelectedPosition{shape, session.settings.selected_t};
   if (session.document.entities.find<world::Knot>(e)) {
-    const world::Neighbours at = world::neighbours(session.document, e);
+    const world::KnotSegments at = world::neighbours(session.document, e);
     if (const sim::SegmentShape* const shape = derived.segments.find(at.after)) return SelectedPosition{shape, 0.0};
     if (const sim::SegmentShape* const shape = derived.segments.find(at.before)) return SelectedPosition{shape, 1.0};
     return std::nullopt;

@@ -157,7 +157,7 @@ Answer envelope(const QueryContext& c, View) {
 Answer envelope_name(const QueryContext& c, View) { return text(c.session.limits.name); }
 Answer fail(const QueryContext& c, View) { return value_of(c.session.motion.failure.kind); }
 Answer fail_distance(const QueryContext& c, View) {
-  const world::Failure& failure = c.session.motion.failure;
+  const world::RideFailure& failure = c.session.motion.failure;
   return failure.kind != world::FailureKind::none ? number(failure.distance) : none("the ride has not failed");
 }
 Answer why_ended(const QueryContext& c, View) {
@@ -261,7 +261,7 @@ constexpr Query kSimulatedRows[]{
 };
 
 // A position on the track and a seat that passes it.
-struct Spot {
+struct SeatPosition {
   double distance = 0;  // m along the track
   world::Seat seat{};
   int car = 1;         // of Seat::car
@@ -281,7 +281,7 @@ constexpr ArgumentPart kDistanceSeat[]{
     {.usage = "SEAT", .words = seats, .most = world::kMaxCars, .before = '/', .optional = true}};
 
 // Parses "62.5", "62.5/back", "62.5/3", "62.5/least". Without a seat: the setting's.
-Spot spot_of(const QueryContext& c, View word) {
+SeatPosition spot_of(const QueryContext& c, View word) {
   const std::size_t slash = word.find('/');
   const double distance = *base::parse_double(word.substr(0, slash));
   const world::LabView& lab = *c.session.settings.lab;
@@ -295,7 +295,7 @@ Spot spot_of(const QueryContext& c, View word) {
 
 template <sim::RideValue value>
 Answer at_seat(const QueryContext& c, View word) {
-  const Spot spot = spot_of(c, word);
+  const SeatPosition spot = spot_of(c, word);
   const sim::SimulatedRide* const ride = c.find.ride();
   std::optional<double> result;
   if (ride != nullptr)
@@ -321,7 +321,7 @@ Answer count(const QueryContext& c, Counts counts) {
 }
 Answer goals(const QueryContext& c, View) { return count(c, must_hold); }
 Answer met(const QueryContext& c, View) {
-  return count(c, [&](const Rule& rule) { return must_hold(rule) && look_at(c.find, rule).holds; });
+  return count(c, [&](const ParsedRule& rule) { return must_hold(rule) && look_at(c.find, rule).holds; });
 }
 Answer passed(const QueryContext& c, View) {
   return yes_no(c.session.game.challenge && c.session.game.challenge->medal > 0);

@@ -89,7 +89,7 @@ constexpr Query kSectionRows[]{
     {"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
     {"section.value", kSectionParameter, "",
      "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
-     section_value, or_none({Type::parameter})},
+     section_value, or_none({ValueType::parameter})},
     {"section.length", kSection, "m", "A section's length.", section_length},
     {"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
     {"section.speed_in", kSection, "m/s",
@@ -164,7 +164,7 @@ constexpr Query kElementRows[]{
     {"element.side", "", "left or right; none for an element without a side.", side, or_none(texts(sides))},
     {"element.value", kParameter, "",
      "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
-     value, or_none({Type::parameter})},
+     value, or_none({ValueType::parameter})},
     {"element.error", "m",
      "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
      of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
@@ -200,25 +200,25 @@ Answer of_plan(const QueryContext& c, View argument, Function function) {
 }
 
 // A position of a channel: "@q3.vertical/40".
-struct ForcePlace {
+struct ChannelPosition {
   View section;
   world::ForceChannel channel{};
   double at = 0;
 };
-ForcePlace force_place(View word) {
+ChannelPosition force_place(View word) {
   const std::size_t dot = word.find('.'), slash = word.find('/', dot);
   return {word.substr(0, dot), *base::value_named<world::ForceChannel>(word.substr(dot + 1, slash - dot - 1)),
           *base::parse_double(word.substr(slash + 1))};
 }
 
 // Returns a value of the plan's points at a position, linear between them.
-double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
+double asked_at(const sim::ForcePlan& plan, const ChannelPosition& spot) {
   const auto value = [&](std::size_t i) { return plan.path.points[i].asked(spot.channel); };
   return sim::between_points(plan, spot.at, value);
 }
 
 // Returns nothing where the ride does not arrive.
-std::optional<double> met_at(const QueryContext& c, const sim::ForcePlan& plan, const ForcePlace& spot,
+std::optional<double> met_at(const QueryContext& c, const sim::ForcePlan& plan, const ChannelPosition& spot,
                              std::size_t first) {
   const double start = c.session.derived.starts[first];
   const sim::SimulatedRide* const ride = c.find.ride();
@@ -241,11 +241,11 @@ std::optional<double> met_at(const QueryContext& c, const sim::ForcePlan& plan, 
 }
 
 Answer force_asked(const QueryContext& c, View word) {
-  const ForcePlace spot = force_place(word);
+  const ChannelPosition spot = force_place(word);
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, spot)); });
 }
 Answer force_met(const QueryContext& c, View word) {
-  const ForcePlace spot = force_place(word);
+  const ChannelPosition spot = force_place(word);
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
     const auto section = entity_of(c, spot.section, world::Kind::section);
     const world::SectionRun run = world::run_of(c.session.document, *section);

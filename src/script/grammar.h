@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 #include "script/statements.h"
 
 namespace coaster::script {

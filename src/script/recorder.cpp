@@ -28,7 +28,7 @@ namespace {
 // Returns the commands that restore settings and selection at the start.
 std::vector<edit::Command> settings_commands(const edit::Session& session) {
   const world::Settings& s = session.settings;
-  std::vector<edit::Command> commands{edit::set_camera(s.camera), edit::SetFly{s.fly},
+  std::vector<edit::Command> commands{edit::set_camera(s.camera), edit::SetFlyCamera{s.fly},
                                       edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle},
                                       edit::ChooseElement{s.element}};
   world::for_each_setting([&]<auto Setting>() { commands.push_back(edit::Set<Setting>{world::value_in<Setting>(s)}); });
@@ -92,13 +92,13 @@ base::Status Recorder::snapshot(const edit::Session& session) {
 }
 
 base::Status Recorder::command(const edit::Command& command, const edit::Session& after) {
-  using edit::Recorded;
-  const Recorded recorded = edit::opens_link(command) ? Recorded::line : edit::info(command).traits.recorded;
-  if (recorded == Recorded::nothing) return {};
+  using edit::RecordedForm;
+  const RecordedForm recorded = edit::opens_link(command) ? RecordedForm::line : edit::info(command).traits.recorded;
+  if (recorded == RecordedForm::nothing) return {};
   if (const base::Status written = write_ticks(); !written) return written;
-  if (recorded == Recorded::track) return snapshot(after);
+  if (recorded == RecordedForm::track) return snapshot(after);
   edit::Command written = command;
-  if (std::string* const path = edit::path_of(written); path && recorded == Recorded::whole_path)
+  if (std::string* const path = edit::path_of(written); path && recorded == RecordedForm::whole_path)
     *path = base::canonical_path(*path).string();
   return line(edit::print(written));
 }

@@ -228,7 +228,8 @@ Status Runner::perform(const Input& given) {
   for (std::size_t i = 0; i < given.steps.size(); ++i) {
     platform::Events events = given.steps[i];
     for (platform::Event& event : events)
-      if (platform::Drop* const drop = std::get_if<platform::Drop>(&event)) drop->path = input(drop->path).string();
+      if (platform::FileDrop* const drop = std::get_if<platform::FileDrop>(&event))
+        drop->path = input(drop->path).string();
     const std::uint64_t before = frames_.commands();
     if (const Status status = frames_.frame(std::move(events)); !status) return status;
     // This frame's numbers show the effect of a key press, so its release joins the next frame.
@@ -253,7 +254,7 @@ Status Runner::perform(const FitCamera& fit) {
                                      : view::frame_all(now, session.document, viewport)));
 }
 
-Status Runner::perform(const Needs& needs) {
+Status Runner::perform(const RequireStage& needs) {
   const query::QueryContext context = frames_.host().context();
   const std::string& refusal = context.stats.stage_refusals[static_cast<std::size_t>(needs.stage)];
   if (refusal.empty()) return {};
@@ -261,7 +262,7 @@ Status Runner::perform(const Needs& needs) {
           fmt::format("skipped: it needs {}. {}", base::name_of(needs.stage), base::sentence(refusal))};
 }
 
-Status Runner::perform(const Fault& fault) {
+Status Runner::perform(const InjectFault& fault) {
   if (!frames_.host().files) return wrong("this run cannot inject file faults");
   frames_.host().files->inject(fault.operation, fault.nth);
   return {};

@@ -77,8 +77,8 @@ class Runner {
   Status perform(const Lesson& lesson);
   Status perform(const Input& input);
   Status perform(const FitCamera& fit);
-  Status perform(const Needs& needs);
-  Status perform(const Fault& fault);
+  Status perform(const RequireStage& needs);
+  Status perform(const InjectFault& fault);
   Status perform(const base::PlannedCrash& crash);
   Status perform(const SlowImport& slow);
 

@@ -1,7 +1,7 @@
 // snap, shot, dump, log, and the evidence of a failure.
 #include <fmt/format.h>
 
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 #include "exchange/own/track_file.h"
 #include "query/all_values.h"
 #include "query/context.h"

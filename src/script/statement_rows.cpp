@@ -25,14 +25,14 @@ constexpr std::int64_t kMostFrames = 10'000'000;
 // A word and its row. A word of several forms has one for each, the first of which reads it.
 struct NamedRow {
   std::string word;
-  const Row* row;
+  const StatementRow* row;
   std::size_t which;  // its place in the row's words
 };
 const std::vector<NamedRow>& named_rows() {
   static const std::vector<NamedRow> kRows = [] {
     std::vector<NamedRow> rows;
     for (const RowGroup& group : row_groups())
-      for (const Row& row : group.rows) {
+      for (const StatementRow& row : group.rows) {
         const std::vector<std::string> words = words_of(row);
         for (std::size_t i = 0; i < words.size(); ++i) rows.push_back({words[i], &row, i});
       }
@@ -52,7 +52,7 @@ bool spans_lines(std::string_view word) {
   return word == "end" || (found && !found->row->read) || opens_block(word);
 }
 
-bool read_environment(Words& words, SetEnvironment& env) {
+bool read_environment(WordReader& words, SetEnvironment& env) {
   static const std::vector<std::string> kNames{"size", "seed", "scale", "density", "msaa", "home"};
   if (words.at_end()) return words.fail(words.end_column(), "expected " + base::alternatives(kNames));
   const auto part = [&](std::size_t name) {
@@ -76,27 +76,27 @@ bool read_environment(Words& words, SetEnvironment& env) {
   return true;
 }
 
-bool read_repeat(Words& words, Repeat& repeat) { return whole(words, "a count", 0, 1'000'000, repeat.count); }
+bool read_repeat(WordReader& words, Repeat& repeat) { return whole(words, "a count", 0, 1'000'000, repeat.count); }
 
-bool read_gesture(Words&, Gesture&) { return true; }
+bool read_gesture(WordReader&, Gesture&) { return true; }
 
-bool read_lesson(Words& words, Lesson& lesson) {
+bool read_lesson(WordReader& words, Lesson& lesson) {
   if (!take(words, "a text", lesson.text)) return false;
   if (words.accept("at") && !take(words, "a widget's path", lesson.widget.emplace())) return false;
   if (!words.accept("until")) return words.fail(next_column(words), "expected at or until");
   return parse_condition(words, lesson.until);
 }
 
-bool read_frames(Words& words, Advance& advance) {
+bool read_frames(WordReader& words, Advance& advance) {
   advance.frames = true;
   return words.at_end() || whole(words, "a number of frames", 0, kMostFrames, advance.count);
 }
 
-bool read_ticks(Words& words, Advance& advance) {
+bool read_ticks(WordReader& words, Advance& advance) {
   return words.at_end() || whole(words, "a number of ticks", 0, kMostFrames, advance.count);
 }
 
-bool read_wait(Words& words, Wait& wait) {
+bool read_wait(WordReader& words, Wait& wait) {
   static const std::vector<std::string> kUnits{"ticks", "frames", "tick", "frame", "s", "seconds"};
   if (const base::Token* const first = words.peek();
       first && (base::is_number(first->text) || first->text.find_first_of("0123456789") == 0))
@@ -115,7 +115,7 @@ bool read_wait(Words& words, Wait& wait) {
 }
 
 // Reads the name of a camera or what to frame; other words are those of the command.
-bool read_camera(Words& words, std::size_t, Action& action) {
+bool read_camera(WordReader& words, std::size_t, Action& action) {
   static const std::vector<std::string> kNames{"all", "fit",    "selection", "orbit", "ride",    "chase",
                                                "fly", "target", "yaw",       "pitch", "distance"};
   const std::span<const base::Token> rest = words.rest();
@@ -127,7 +127,7 @@ bool read_camera(Words& words, std::size_t, Action& action) {
   return words.end();
 }
 
-constexpr Row kSessionRows[]{
+constexpr StatementRow kSessionRows[]{
     {"coaster-script 1", "The first line of every script."},
     {"env [size WxH] [seed N] [scale X] [density X] [msaa N]",
      "Sets picture size (640x360), seed, scale of the panels (0.75..3), pixels per point (0.5..4), samples per pixel "
@@ -153,7 +153,7 @@ constexpr Row kSessionRows[]{
     {"camera orbit|ride|chase|fly", "The same as camera_mode."},
 };
 
-bool read_expected_file(Words& words, ExpectFile& expect) {
+bool read_expected_file(WordReader& words, ExpectFile& expect) {
   if (!take(words, "a file", expect.path)) return false;
   if (words.accept("not")) expect.negated = !expect.negated;
   if (words.at_end() || words.accept("exists")) return true;
@@ -164,7 +164,7 @@ bool read_expected_file(Words& words, ExpectFile& expect) {
 }
 
 // Reads a statement and the optional end: ~ "text that the error contains".
-bool read_expected_error(Words& words, Action& action) {
+bool read_expected_error(WordReader& words, Action& action) {
   ExpectError expect;
   std::span<const base::Token> rest = words.rest();
   if (rest.size() >= 2 && rest[rest.size() - 2].text == "~" && !rest[rest.size() - 2].quoted) {
@@ -174,7 +174,7 @@ bool read_expected_error(Words& words, Action& action) {
   if (rest.empty() && expect.contains) {  // expect error ~ "text": text of the newest notice
     Condition notice;
     notice.query = notice.text = "toast";
-    notice.op = query::Op::contains;
+    notice.op = query::ComparisonOperator::contains;
     notice.values = {words.rest().back()};
     notice.column = words.rest().front().column;
     action = Expect{notice};
@@ -197,7 +197,7 @@ bool read_expected_error(Words& words, Action& action) {
   return true;
 }
 
-bool read_expect(Words& words, std::size_t, Action& action) {
+bool read_expect(WordReader& words, std::size_t, Action& action) {
   const bool negated = words.accept("not");
   if (words.accept("file")) {
     ExpectFile file{.negated = negated};
@@ -214,7 +214,7 @@ bool read_expect(Words& words, std::size_t, Action& action) {
 }
 
 // Reads the name of files below a folder, with or without that folder before it.
-bool read_name(Words& words, std::string_view folder, std::string_view expected, std::string& name) {
+bool read_name(WordReader& words, std::string_view folder, std::string_view expected, std::string& name) {
   const base::Token* const word = words.take("a name");
   if (!word) return false;
   name = word->text;
@@ -223,19 +223,21 @@ bool read_name(Words& words, std::string_view folder, std::string_view expected,
          words.fail(word->column, fmt::format("expected {}", expected));
 }
 
-bool read_snap(Words& words, Snap& snap) {
+bool read_snap(WordReader& words, Snap& snap) {
   return read_name(words, "", "a name below the script's folder golden", snap.name);
 }
 
-bool read_dump(Words& words, Dump& dump) { return read_name(words, "$OUT/", "a name", dump.name); }
+bool read_dump(WordReader& words, Dump& dump) { return read_name(words, "$OUT/", "a name", dump.name); }
 
-bool take_picture(Words& words, std::string_view what, base::Token& path) {
+bool take_picture(WordReader& words, std::string_view what, base::Token& path) {
   return take(words, what, path) && (base::lower(path.text).ends_with(".png") || words.reject(what));
 }
 
-bool read_shot(Words& words, Shot& shot) { return take_picture(words, "a file below $OUT ending in .png", shot.path); }
+bool read_shot(WordReader& words, Shot& shot) {
+  return take_picture(words, "a file below $OUT ending in .png", shot.path);
+}
 
-bool read_sheet(Words& words, Sheet& sheet) {
+bool read_sheet(WordReader& words, Sheet& sheet) {
   if (!take_picture(words, "a file below $OUT ending in .png", sheet.path)) return false;
   if (words.accept("columns") && !whole(words, "a number of columns", 1, 100, sheet.columns)) return false;
   sheet.half = words.accept("half");
@@ -245,7 +247,7 @@ bool read_sheet(Words& words, Sheet& sheet) {
   return true;
 }
 
-bool read_movie_start(Words& words, StartMovie& start) {
+bool read_movie_start(WordReader& words, StartMovie& start) {
   if (!take(words, "a folder below $OUT", start.folder)) return false;
   if (words.accept("fps")) {
     if (!whole(words, "pictures a second", 1, world::kTicksPerSecond, start.fps)) return false;
@@ -255,9 +257,9 @@ bool read_movie_start(Words& words, StartMovie& start) {
   return true;
 }
 
-bool read_movie_stop(Words&, StopMovie&) { return true; }
+bool read_movie_stop(WordReader&, StopMovie&) { return true; }
 
-bool read_log(Words& words, Log& log) {
+bool read_log(WordReader& words, Log& log) {
   if (words.at_end()) return words.fail(words.end_column(), "expected a query or a text");
   while (!words.at_end()) {
     if (words.peek()->quoted) {
@@ -269,7 +271,7 @@ bool read_log(Words& words, Log& log) {
     const std::size_t count = query && !query->argument.empty() ? 2 : 1;
     Condition value;
     base::TextError error;
-    Words part(words.rest().first(std::min(count, words.rest().size())), error);
+    WordReader part(words.rest().first(std::min(count, words.rest().size())), error);
     if (!parse_condition(part, value)) return words.fail(error);
     for (std::size_t i = 0; i < count; ++i) words.take("a query");
     log.parts.push_back({{}, value.query, value.argument, value.column});
@@ -279,27 +281,27 @@ bool read_log(Words& words, Log& log) {
 
 // Reads one word of an enumeration.
 template <class E>
-bool read_named(Words& words, std::string_view expected, E& to) {
+bool read_named(WordReader& words, std::string_view expected, E& to) {
   const auto name = words.one_of(expected, base::names_of<E>());
   if (name) to = static_cast<E>(*name);
   return name.has_value();
 }
 
-bool read_needs(Words& words, Needs& needs) {
+bool read_needs(WordReader& words, RequireStage& needs) {
   return read_named(words, "what evaluates, such as geometry_shader", needs.stage);
 }
 
-bool read_crash(Words& words, base::PlannedCrash& crash) {
+bool read_crash(WordReader& words, base::PlannedCrash& crash) {
   return read_named(words, "where to crash, such as drawing", crash.place) &&
          (words.at_end() || read_named(words, "how to crash", crash.way));
 }
 
-bool read_slow_import(Words& words, SlowImport& slow) {
+bool read_slow_import(WordReader& words, SlowImport& slow) {
   if (!words.accept("slow")) return words.fail(next_column(words), "expected \"slow\"");
   return whole(words, "a number of frames", 1, 10'000, slow.frames);
 }
 
-bool read_fault(Words& words, std::size_t, Action& action) {
+bool read_fault(WordReader& words, std::size_t, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
     for (const std::string_view name : base::kIoOperationNames) names.push_back(fmt::format("io.{}", name));
@@ -311,13 +313,13 @@ bool read_fault(Words& words, std::size_t, Action& action) {
   if (kOperations[*operation] == "crash") return reads<read_crash>(words, 0, action);
   if (kOperations[*operation] == "import") return reads<read_slow_import>(words, 0, action);
   if (!words.accept("fail")) return words.fail(next_column(words), "expected \"fail\"");
-  Fault fault{static_cast<base::IoOperation>(*operation)};
+  InjectFault fault{static_cast<base::IoOperation>(*operation)};
   if (!words.at_end() && !whole(words, "the number of the call that fails", 1, 1'000'000, fault.nth)) return false;
   action = fault;
   return words.end();
 }
 
-constexpr Row kOutputRows[]{
+constexpr StatementRow kOutputRows[]{
     {"expect QUERY [ARGUMENT] OP VALUE [+-TOLERANCE]",
      "Checks a value. OP: == != < <= > >= and ~ (contains). A value that is none meets only == none.", read_expect},
     {"expect [not] visible|enabled \"PATH\"", "Checks a widget's state."},
@@ -376,9 +378,9 @@ void add_help(std::string_view word, std::span<const base::Token> line, base::Te
 bool check_seek(std::span<const base::Token> line, const edit::Command& command, base::TextError& error) {
   const auto by =
       std::find_if(line.begin(), line.end(), [](const base::Token& t) { return t.text == "by" && !t.quoted; });
-  Words goal(line.subspan(1, static_cast<std::size_t>(by - line.begin()) - 1), error);
+  WordReader goal(line.subspan(1, static_cast<std::size_t>(by - line.begin()) - 1), error);
   if (!query::check_goal(goal)) return false;
-  const auto wrong = edit::wrong_by(*command.as<edit::Seek>());
+  const auto wrong = edit::wrong_by(*command.as<edit::SeekGoal>());
   if (wrong) error = {(by + 1)->column, *wrong};
   return !wrong;
 }
@@ -391,7 +393,7 @@ std::span<const RowGroup> row_groups() {
   return kGroups;
 }
 
-std::vector<std::string> words_of(const Row& row) {
+std::vector<std::string> words_of(const StatementRow& row) {
   std::string_view left = row.usage.substr(0, row.usage.find(' '));
   std::vector<std::string> words;
   for (;;) {
@@ -428,7 +430,7 @@ std::string help() {
   std::string out = "Coaster scripts, version 1: one statement per line; # starts a comment.\n\n";
   for (const RowGroup& group : row_groups()) {
     out += fmt::format("{}\n", group.title);
-    for (const Row& row : group.rows) out += fmt::format("  {}\n      {}\n", row.usage, row.help);
+    for (const StatementRow& row : group.rows) out += fmt::format("  {}\n      {}\n", row.usage, row.help);
     out += "\n";
   }
   out += "Commands\n";
@@ -443,7 +445,7 @@ std::string help() {
   return out + "\n" + base::exit_codes_sentence() + "\n";
 }
 
-bool read_command(std::string_view name, std::span<const base::Token> rest, Words& words, Action& action) {
+bool read_command(std::string_view name, std::span<const base::Token> rest, WordReader& words, Action& action) {
   std::vector<base::Token> line{{std::string(name), 1, false}};
   line.insert(line.end(), rest.begin(), rest.end());
   base::TextError error;
@@ -456,7 +458,7 @@ bool read_command(std::string_view name, std::span<const base::Token> rest, Word
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
   const base::Token& first = line.front();
   if (const NamedRow* const found = find_named(first.text); found && found->row->read) {
-    Words words(line, error);
+    WordReader words(line, error);
     words.take("a statement");
     if (found->row->read(words, found->which, action) && !words.failed()) return true;
     add_help(found->word, line, error);
@@ -467,23 +469,23 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     return false;
   }
   auto command = edit::parse(line, error);
-  if (!command || (command->is<edit::Seek>() && !check_seek(line, *command, error))) return false;
+  if (!command || (command->is<edit::SeekGoal>() && !check_seek(line, *command, error))) return false;
   action = RunCommand{*command};
   return true;
 }
 
-bool number_within(Words& words, std::string_view what, double low, double high, float& to) {
+bool number_within(WordReader& words, std::string_view what, double low, double high, float& to) {
   double value = 0;
   if (!number(words, what, value)) return false;
   to = static_cast<float>(value);
   return (value >= low && value <= high) || words.reject_number(what);
 }
 
-std::optional<std::size_t> choice(Words& words, std::span<const std::string> names) {
+std::optional<std::size_t> choice(WordReader& words, std::span<const std::string> names) {
   return words.one_of(base::alternatives(names), names);
 }
 
-bool end_of_text(Words& words) {
+bool end_of_text(WordReader& words) {
   if (words.failed() || words.at_end()) return words.end();
   return words.fail(words.peek()->column,
                     "unexpected " + base::quoted_start(words.peek()->text) + ": a text with blanks needs quotes");

@@ -16,8 +16,8 @@ using AimVerb = AimAction::Verb;
 using UiVerb = UiAction::Verb;
 
 // Reads a widget's path and what `more` reads; the verbs of a row follow each other.
-template <UiVerb verb, bool (*more)(Words&, UiAction&)>
-bool read_ui(Words& words, std::size_t which, Action& action) {
+template <UiVerb verb, bool (*more)(WordReader&, UiAction&)>
+bool read_ui(WordReader& words, std::size_t which, Action& action) {
   UiAction ui{.verb = static_cast<UiVerb>(static_cast<std::size_t>(verb) + which)};
   if (!take(words, "a widget's path such as \"Track/Insert point\"", ui.path)) return false;
   if (ui.path.text.empty()) return words.fail(ui.path.column, "expected a widget's path, found \"\"");
@@ -26,17 +26,19 @@ bool read_ui(Words& words, std::size_t which, Action& action) {
   return words.end();
 }
 
-bool read_path_alone(Words& words, UiAction&) { return end_of_text(words); }
+bool read_path_alone(WordReader& words, UiAction&) { return end_of_text(words); }
 
-bool read_check(Words& words, UiAction& ui) {
+bool read_check(WordReader& words, UiAction& ui) {
   const auto on = words.at_end() ? std::optional(true) : words.on_off();
   ui.on = on.value_or(true);
   return on.has_value();
 }
 
-bool read_typed(Words& words, UiAction& ui) { return take(words, "the text to type", ui.text) && end_of_text(words); }
+bool read_typed(WordReader& words, UiAction& ui) {
+  return take(words, "the text to type", ui.text) && end_of_text(words);
+}
 
-bool read_slide(Words& words, UiAction& ui) {
+bool read_slide(WordReader& words, UiAction& ui) {
   if (words.accept("to")) {
     ui.verb = UiVerb::drag_to;
     base::Token value;
@@ -51,12 +53,12 @@ bool read_slide(Words& words, UiAction& ui) {
   return true;
 }
 
-bool read_scroll(Words& words, UiAction& ui) {
+bool read_scroll(WordReader& words, UiAction& ui) {
   words.accept("by");
   return number(words, "notches of the wheel (positive: down)", ui.number);
 }
 
-void take_modifiers(Words& words, platform::Modifiers& modifiers) {
+void take_modifiers(WordReader& words, platform::Modifiers& modifiers) {
   for (;;) {
     if (words.accept("+shift")) modifiers.shift = true;
     else if (words.accept("+ctrl")) modifiers.ctrl = true;
@@ -69,7 +71,7 @@ constexpr std::string_view kTargets =
     "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, @q2, @q2.turn, @q2.bank, gizmo.x .. gizmo.xy, ground X Y Z or world "
     "X Y Z";
 
-bool refuse(Words& words, const base::Token& word) {
+bool refuse(WordReader& words, const base::Token& word) {
   const std::string at = "@" + word.text.substr(0, word.text.find_first_of(".:"));
   const std::string hint = world::parse_name(at.substr(1)) ? fmt::format("; did you mean \"@{}\"?", word.text) : "";
   return words.fail({word.column, fmt::format("expected {}, found {}{}", kTargets, base::quoted_start(word.text), hint),
@@ -77,7 +79,7 @@ bool refuse(Words& words, const base::Token& word) {
 }
 
 // Reads "@k3.in", "@s2:0.4" and so on.
-bool read_entity(Words& words, const base::Token& word, AimPoint& point) {
+bool read_entity(WordReader& words, const base::Token& word, AimPoint& point) {
   using world::Kind;
   constexpr std::tuple<Kind, std::string_view, PickKind> kMarks[] = {
       {Kind::knot, "", PickKind::knot},          {Kind::knot, "in", PickKind::handle_in},
@@ -106,7 +108,7 @@ bool read_entity(Words& words, const base::Token& word, AimPoint& point) {
 }
 
 // Reads "gizmo.x", an arrow, and "gizmo.xz", the square that moves along both axes.
-bool read_gizmo(Words& words, const base::Token& word, AimPoint& point) {
+bool read_gizmo(WordReader& words, const base::Token& word, AimPoint& point) {
   constexpr std::array<std::string_view, 6> kParts{"x", "y", "z", "yz", "xz", "xy"};
   const auto part =
       std::find(kParts.begin(), kParts.end(), std::string_view(word.text).substr(std::string_view("gizmo.").size()));
@@ -115,7 +117,7 @@ bool read_gizmo(Words& words, const base::Token& word, AimPoint& point) {
   return true;
 }
 
-bool read_target(Words& words, base::Token& word, AimPoint& point) {
+bool read_target(WordReader& words, base::Token& word, AimPoint& point) {
   if (!take(words, kTargets, word)) return false;
   if (word.text.starts_with("gizmo.")) return read_gizmo(words, word, point);
   if (word.text != "ground" && word.text != "world") return read_entity(words, word, point);
@@ -126,7 +128,7 @@ bool read_target(Words& words, base::Token& word, AimPoint& point) {
 }
 
 // Reads "to X Y Z", "to TARGET" or "by X Y Z".
-bool read_aim_drag(Words& words, AimAction& aim) {
+bool read_aim_drag(WordReader& words, AimAction& aim) {
   if (words.accept("by")) {
     aim.by = words.vector("a distance (m)");
     return aim.by.has_value();
@@ -142,7 +144,7 @@ bool read_aim_drag(Words& words, AimAction& aim) {
 
 // Reads the target, with modifiers before and after it and at the end. The verbs of a row follow each other.
 template <AimVerb verb>
-bool read_aim(Words& words, std::size_t which, Action& action) {
+bool read_aim(WordReader& words, std::size_t which, Action& action) {
   AimAction aim{.verb = static_cast<AimVerb>(static_cast<std::size_t>(verb) + which)};
   take_modifiers(words, aim.modifiers);
   base::Token target;
@@ -170,7 +172,7 @@ std::string near_chord(const std::string& text, std::span<const base::Token> mor
   return base::suggestion(key, platform::key_names());
 }
 
-std::optional<platform::Chord> take_chord(Words& words) {
+std::optional<platform::KeyChord> take_chord(WordReader& words) {
   const base::Token* const word = words.take("a key such as F or Ctrl+Z");
   if (!word) return std::nullopt;
   const auto chord = platform::parse_chord(word->text);
@@ -180,7 +182,7 @@ std::optional<platform::Chord> take_chord(Words& words) {
   return chord;
 }
 
-bool read_key(Words& words, Input& input) {
+bool read_key(WordReader& words, Input& input) {
   const auto chord = take_chord(words);
   if (!chord) return false;
   input = {{{platform::KeyPress{chord->key, true, false, chord->modifiers}},
@@ -189,14 +191,14 @@ bool read_key(Words& words, Input& input) {
   return true;
 }
 
-bool read_text(Words& words, Input& input) {
+bool read_text(WordReader& words, Input& input) {
   platform::TextInput typed;
   if (!take(words, "a text", typed.utf8)) return false;
   input.steps.push_back({std::move(typed)});
   return end_of_text(words);
 }
 
-bool read_move(Words& words, Input& input) {
+bool read_move(WordReader& words, Input& input) {
   platform::MouseMove to;
   input.steps.push_back({to});
   if (!number(words, "x in pixels", to.x) || !number(words, "y in pixels", to.y)) return false;
@@ -204,7 +206,7 @@ bool read_move(Words& words, Input& input) {
   return true;
 }
 
-bool read_wheel(Words& words, Input& input) {
+bool read_wheel(WordReader& words, Input& input) {
   platform::Wheel wheel;
   if (!number(words, "notches of the wheel", wheel.dy)) return false;
   if (words.accept("at") && !read_move(words, input)) return false;
@@ -213,11 +215,11 @@ bool read_wheel(Words& words, Input& input) {
 }
 
 // Reads a file, or knots to lower to the ground: the command of that name.
-bool read_drop(Words& words, std::size_t, Action& action) {
+bool read_drop(WordReader& words, std::size_t, Action& action) {
   if (const base::Token* const first = words.peek();
       first && !first->quoted && (first->text.starts_with('@') || first->text == "all" || first->text == "selected"))
     return read_command("drop", words.rest(), words, action);
-  platform::Drop drop;
+  platform::FileDrop drop;
   if (!take(words, "a file", drop.path)) return false;
   action = Input{{{std::move(drop)}}};
   return end_of_text(words);
@@ -225,7 +227,7 @@ bool read_drop(Words& words, std::size_t, Action& action) {
 
 // Reads "left 0 0.5 right 0 0 triggers 0 1", which releases everything that is not named, and "a", which presses and
 // releases.
-bool read_pad(Words& words, Input& input) {
+bool read_pad(WordReader& words, Input& input) {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names{"left", "right", "triggers", "rest"};
     for (const std::string_view name : platform::kPadButtonNames) names.emplace_back(name);
@@ -255,13 +257,13 @@ bool read_pad(Words& words, Input& input) {
   return true;
 }
 
-bool read_focus(Words& words, Input& input) {
+bool read_focus(WordReader& words, Input& input) {
   const auto on = words.at_end() ? std::optional(true) : words.on_off();
   input.steps.push_back({platform::Focus{on.value_or(true)}});
   return on.has_value();
 }
 
-bool read_resize(Words& words, Input& input) {
+bool read_resize(WordReader& words, Input& input) {
   base::Token word;
   if (!take(words, "WIDTHxHEIGHT", word)) return false;
   if (!words.at_end() && word.text.find_first_of("xX") == std::string::npos)
@@ -273,12 +275,12 @@ bool read_resize(Words& words, Input& input) {
   return true;
 }
 
-bool read_minimise(Words&, Input& input) {
+bool read_minimise(WordReader&, Input& input) {
   input.steps.push_back({platform::Resize{0, 0}});
   return true;
 }
 
-bool read_button(Words& words, std::size_t which, Action& action) {
+bool read_button(WordReader& words, std::size_t which, Action& action) {
   static const std::vector<std::string> kButtons{"left", "right", "middle"};
   const auto button = words.at_end() ? std::optional<std::size_t>(0) : choice(words, kButtons);
   if (!button) return false;
@@ -288,7 +290,7 @@ bool read_button(Words& words, std::size_t which, Action& action) {
   return words.end();
 }
 
-bool read_raw_key(Words& words, Input& input) {
+bool read_raw_key(WordReader& words, Input& input) {
   static const std::vector<std::string> kWays{"down", "up"};
   const auto chord = take_chord(words);
   const auto way = chord ? choice(words, kWays) : std::nullopt;
@@ -298,7 +300,7 @@ bool read_raw_key(Words& words, Input& input) {
   return true;
 }
 
-constexpr Row kInputRows[]{
+constexpr StatementRow kInputRows[]{
     {"ui.click|doubleclick|hover \"PATH\"", "Clicks or hovers the widget with this label path.",
      read_ui<UiVerb::click, read_path_alone>},
     {"ui.check \"PATH\" [on|off]", "Clicks if the box is in the other state.", read_ui<UiVerb::check, read_check>},
@@ -336,6 +338,6 @@ constexpr Row kInputRows[]{
 
 }  // namespace
 
-std::span<const Row> input_rows() { return kInputRows; }
+std::span<const StatementRow> input_rows() { return kInputRows; }
 
 }  // namespace coaster::script

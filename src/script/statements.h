@@ -138,13 +138,13 @@ struct StartMovie {
   bool gif = false;
 };
 struct StopMovie {};
-struct Fault {
+struct InjectFault {
   base::IoOperation operation = base::IoOperation::open;
   int nth = 1;
 };
 
 // Ends the script as skipped if the driver cannot evaluate in that stage.
-struct Needs {
+struct RequireStage {
   curve::EvaluatedBy stage = curve::EvaluatedBy::processor;
 };
 
@@ -155,7 +155,7 @@ struct SlowImport {
 
 using Action = std::variant<RunCommand, SetEnvironment, Advance, Repeat, Gesture, Lesson, Include, Expect, Wait,
                             ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot, Sheet, Dump,
-                            Log, StartMovie, StopMovie, Needs, Fault, base::PlannedCrash, SlowImport>;
+                            Log, StartMovie, StopMovie, RequireStage, InjectFault, base::PlannedCrash, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources

@@ -43,7 +43,7 @@ double beside_of(const RiddenTrain& ridden) {
 
 dvec3 looked_at(const RiddenTrain& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
 
-dvec3 place(const CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
+dvec3 place(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
   const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
                b = rig.beside.value;
@@ -54,7 +54,7 @@ dvec3 place(const CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
 }
 
 // Returns `from` moved away from the track by the distance missing to `clear`.
-dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
+dvec3 step_aside(const CameraSubject& w, const dvec3& from, double clear) {
   const NearestTrack near = nearest_track(w.derived, from, clear);
   if (!(near.distance < clear)) return dvec3(0);
   return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
@@ -62,7 +62,7 @@ dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
 
 // Returns the offset that moves the eye clear of the track with a view of the train: a few steps away from the nearest
 // track.
-dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
+dvec3 way_out(const CameraSubject& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
   // Start halfway to the previous offset, so that the eye stays on the same side.
   dvec3 at = from + 0.5 * aside;
   constexpr int kMostSteps = 12;  // enough to leave a stack of coils
@@ -92,7 +92,7 @@ constexpr double kRumble = 0.003;                                  // m at 20 m/
 double wrapped(double angle) { return std::remainder(angle, 2 * base::kPi); }
 
 // Returns the head's offset: against g, plus a small shake. The distance travelled is the only clock.
-dvec3 bob_of(const Watched& w, const RiddenTrain& ridden) {
+dvec3 bob_of(const CameraSubject& w, const RiddenTrain& ridden) {
   const sim::FeltAcceleration g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
   const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
   const auto part = [](double metres) { return std::isfinite(metres) ? std::clamp(metres, -kMostBob, kMostBob) : 0.0; };
@@ -119,14 +119,14 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
   rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
 }
 
-void settle_ride(CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
+void settle_ride(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
   rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
   rig.roll_lag = rig.roll_rate = 0;
   rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
   rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
 }
 
-Eye ride(CameraRig& rig, const Watched& w, const RiddenTrain& ridden, double dt) {
+Eye ride(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, double dt) {
   const world::CameraFeel& feel = *w.settings.feel;
   const curve::Frame& frame = ridden.front.frame;
   roll_after(rig, frame, feel.roll_damping, dt);
@@ -154,14 +154,14 @@ using world::CameraMode;
 
 bool goes_along(CameraMode mode) { return mode == CameraMode::ride || mode == CameraMode::chase; }
 
-const world::TrainMotion* ridden_cart(const Watched& w, world::Entity& cart) {
+const world::TrainMotion* ridden_cart(const CameraSubject& w, world::Entity& cart) {
   if (w.derived.order.empty()) return nullptr;
   cart = world::first_cart(w.document);
   const world::TrainMotion* const motion = w.motion.carts.find(cart);
   return motion && w.derived.segments.contains(motion->segment) ? motion : nullptr;
 }
 
-RiddenTrain ridden_of(const Watched& w, world::Entity cart, const world::TrainMotion& motion) {
+RiddenTrain ridden_of(const CameraSubject& w, world::Entity cart, const world::TrainMotion& motion) {
   const std::size_t index = sim::index_of_segment(w.derived, motion.segment, motion.track_distance);
   const sim::TrackPlace front{index < w.derived.order.size() ? index : 0, motion.s};
   const world::Train* const design = w.document.entities.find<world::Train>(cart);
@@ -188,7 +188,7 @@ bool leapt(const CameraRig& rig, const RiddenTrain& ridden, int ticks) {
          kSlack + 1.5 * std::abs(ridden.motion.speed) * ticks * world::kTick;
 }
 
-Eye with_train(CameraRig& rig, const Watched& w, int ticks, bool switched) {
+Eye with_train(CameraRig& rig, const CameraSubject& w, int ticks, bool switched) {
   world::Entity cart;
   const world::TrainMotion* const motion = ridden_cart(w, cart);
   const RiddenTrain ridden = ridden_of(w, cart, *motion);
@@ -204,7 +204,7 @@ Eye with_train(CameraRig& rig, const Watched& w, int ticks, bool switched) {
   return rig.mode == CameraMode::ride ? ride(rig, w, ridden, dt) : chase(rig, w, ridden, dt);
 }
 
-Eye target_eye(CameraRig& rig, const Watched& w, int ticks, bool switched) {
+Eye target_eye(CameraRig& rig, const CameraSubject& w, int ticks, bool switched) {
   const world::Settings& s = w.settings;
   if (goes_along(rig.mode)) {
     const Eye eye = with_train(rig, w, ticks, switched);
@@ -262,13 +262,13 @@ NearestTrack nearest_track(const sim::DerivedTrack& derived, dvec3 from, double 
   return best;
 }
 
-void settle_chase(CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
+void settle_chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
   rig.elevation.settle(elevation_of(ridden));
   rig.beside.settle(beside_of(ridden));
   rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
 }
 
-Eye chase(CameraRig& rig, const Watched& w, const RiddenTrain& ridden, double dt) {
+Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, double dt) {
   rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
   rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
   rig.beside.approach(beside_of(ridden), kElevationLag, dt);
@@ -313,7 +313,7 @@ void Heading::follow(const curve::Frame& frame, double lag, double dt) {
   yaw = wrapped(yaw);
 }
 
-CameraMode shown_mode(const Watched& w) {
+CameraMode shown_mode(const CameraSubject& w) {
   const CameraMode chosen = w.settings.camera_mode;
   world::Entity cart;
   return goes_along(chosen) && !ridden_cart(w, cart) ? CameraMode::orbit : chosen;
@@ -321,7 +321,7 @@ CameraMode shown_mode(const Watched& w) {
 
 bool steps(const CameraRig& rig) { return goes_along(rig.mode); }
 
-void follow(CameraRig& rig, const Watched& w, int ticks) {
+void follow(CameraRig& rig, const CameraSubject& w, int ticks) {
   const CameraMode mode = shown_mode(w);
   const bool reduced = w.settings.feel->reduced_motion,
              changed = !rig.begun || mode != rig.mode || reduced != rig.reduced;

@@ -33,7 +33,7 @@ struct Damped {
 };
 
 // The state that a camera follows.
-struct Watched {
+struct CameraSubject {
   const world::Document& document;
   const sim::DerivedTrack& derived;
   const world::Motion& motion;
@@ -42,7 +42,7 @@ struct Watched {
 };
 
 // Returns the selected camera, or orbit while there is no train.
-world::CameraMode shown_mode(const Watched& watched);
+world::CameraMode shown_mode(const CameraSubject& watched);
 
 // The heading of a train over the ground, as a damped angle. A loop does not count as a turn: while the train is upside
 // down the heading stays on its line, and near the vertical, where the tangent has little horizontal length, it hardly
@@ -80,7 +80,7 @@ inline constexpr int kTransitionTicks = 48;  // 0.4 s
 // Updates the rig to the present state, `ticks` after the last call. While it follows a train, call it tick by tick
 // (steps()), so that the result does not depend on how ticks are grouped; call it with 0 ticks after a command. Finite
 // for every document.
-void follow(CameraRig& rig, const Watched& watched, int ticks);
+void follow(CameraRig& rig, const CameraSubject& watched, int ticks);
 bool steps(const CameraRig& rig);
 
 // State for the two cameras that follow a train; private to them and to follow(), as is the chase camera.
@@ -90,8 +90,8 @@ struct RiddenTrain {
   sim::Pose front, middle;  // of the first car and of the train's middle
   double length = 0;        // m from the first car to the last
 };
-void settle_chase(CameraRig& rig, const Watched& watched, const RiddenTrain& ridden);
-Eye chase(CameraRig& rig, const Watched& watched, const RiddenTrain& ridden, double dt);
+void settle_chase(CameraRig& rig, const CameraSubject& watched, const RiddenTrain& ridden);
+Eye chase(CameraRig& rig, const CameraSubject& watched, const RiddenTrain& ridden, double dt);
 
 // The track nearest to a point within `reach` metres: its distance and position, exact to 1 cm. Costs about 10 ns per
 // distant segment.

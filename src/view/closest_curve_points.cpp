@@ -13,16 +13,16 @@ using Four64 = std::array<double, 4>;
 using Bernstein8 = std::array<double, 9>;
 
 // Homogeneous screen coordinates as Bernstein coefficients.
-struct Screen {
+struct ScreenCurve {
   Four64 u, v, w;
 };
 
-Screen screen_of(const SightedControls& c) {
+ScreenCurve screen_of(const SightedControls& c) {
   return {{c[0].u, c[1].u, c[2].u, c[3].u}, {c[0].v, c[1].v, c[2].v, c[3].v}, {c[0].w, c[1].w, c[2].w, c[3].w}};
 }
 
 // Returns the Bernstein coefficients of N.
-Bernstein8 slope_polynomial(const Screen& s) {
+Bernstein8 slope_polynomial(const ScreenCurve& s) {
   std::array<glm::dvec2, 4> place;
   for (std::size_t i = 0; i < 4; ++i) place[i] = {s.u[i], s.v[i]};
   const auto slope = [](const auto& c) {
@@ -43,7 +43,7 @@ Jet jet(const Four64& c, double t) {
   return {c[0] + t * (c1 + t * (c2 + t * c3)), c1 + t * (2 * c2 + t * 3 * c3), 2 * c2 + 6 * t * c3};
 }
 
-SightedPlace place_at(const Screen& s, double t) {
+SightedPlace place_at(const ScreenCurve& s, double t) {
   if (t == 0 || t == 1) {
     const std::size_t i = t == 0 ? 0 : 3;
     return {t, (s.u[i] * s.u[i] + s.v[i] * s.v[i]) / (s.w[i] * s.w[i]), s.w[i]};
@@ -53,7 +53,7 @@ SightedPlace place_at(const Screen& s, double t) {
 }
 
 // Newton's method on N inside a bracket where it goes from negative to positive; bisects where a step would leave it.
-double refined(const Screen& s, Bracket at) {
+double refined(const ScreenCurve& s, Bracket at) {
   constexpr int kMostSteps = 60;
   double t = at.guess;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -86,7 +86,7 @@ void add(SightedPlaces& places, const SightedPlace& place) {
 }
 
 // Adds the nearest positions of a curve that is wholly in front of the eye.
-void add_places(const Screen& s, double from, double to, SightedPlaces& places) {
+void add_places(const ScreenCurve& s, double from, double to, SightedPlaces& places) {
   const auto in_whole = [&](SightedPlace place) {
     place.t = place.t == 1 ? to : from + place.t * (to - from);
     return place;
@@ -97,7 +97,7 @@ void add_places(const Screen& s, double from, double to, SightedPlaces& places) 
   if (first_sign(n.rbegin(), n.rend()) < 0) add(places, in_whole(place_at(s, 1)));
 }
 
-Screen restricted(const Screen& s, double from, double to) {
+ScreenCurve restricted(const ScreenCurve& s, double from, double to) {
   const auto part = [&](Four64 c) {
     // Blossoms: the controls of [from, to] are c(f,f,f), c(f,f,t), c(f,t,t), c(t,t,t).
     const auto blossom = [&c](double x, double y, double z) {
@@ -111,7 +111,7 @@ Screen restricted(const Screen& s, double from, double to) {
 }
 
 // Splits where the curve becomes visible or invisible: roots of its depth and of its distances from the two planes.
-void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces& places) {
+void add_visible_parts(const SightedControls& c, const ScreenCurve& s, SightedPlaces& places) {
   std::array<double, 11> ends{};
   std::size_t count = 1;
   const auto add_roots = [&](auto value) {
@@ -130,7 +130,7 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
     if (!(to - from > 1e-9)) continue;
     const double middle = 0.5 * (from + to);
     const Four64 z{c[0].z, c[1].z, c[2].z, c[3].z};
-    const Screen part = restricted(s, from, to);
+    const ScreenCurve part = restricted(s, from, to);
     if (!is_visible({0, 0, jet(s.w, middle).value, jet(z, middle).value})) continue;
     if (!(part.w.front() > 0 && part.w.back() > 0)) continue;
     add_places(part, from, to, places);
@@ -163,7 +163,7 @@ bool may_come_near(const SightedControls& c, double limit) {
 
 SightedPlaces nearest_places(const SightedControls& controls) {
   SightedPlaces places;
-  const Screen screen = screen_of(controls);
+  const ScreenCurve screen = screen_of(controls);
   if (std::all_of(controls.begin(), controls.end(), is_visible)) add_places(screen, 0, 1, places);
   else add_visible_parts(controls, screen, places);
   return places;

@@ -37,9 +37,9 @@ constexpr double kPlumbSpacing = 8;  // m along the track; more for long element
 constexpr double kLeastPlumb = 0.5;  // m above the ground
 
 // Interpolates the ideal curve at a distance along it.
-class Sampler {
+class CurveSampler {
  public:
-  explicit Sampler(std::span<const ElementPoint> points) : points_(points) {}
+  explicit CurveSampler(std::span<const ElementPoint> points) : points_(points) {}
   // Distances must not decrease between calls.
   ElementPoint operator()(double s) {
     while (next_ + 1 < points_.size() && points_[next_].s < s) ++next_;
@@ -59,7 +59,7 @@ class Sampler {
 };
 
 // The preview under construction.
-struct Sketch {
+struct PreviewDrawing {
   const sim::ElementPlan& plan;
   std::span<const sim::LineConflict> narrow;
   double rails;  // m above the curve
@@ -90,12 +90,12 @@ struct Sketch {
 };
 
 // Adds rails as short lines, a tie at every other step, and plumb lines.
-void add_rails(const Sketch& sketch) {
+void add_rails(const PreviewDrawing& sketch) {
   const sim::ElementPlan& plan = sketch.plan;
   const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
   const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
   const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
-  Sampler sample(plan.ideal.points);
+  CurveSampler sample(plan.ideal.points);
   ElementPoint before = sample(0);
   for (int i = 1; i <= steps; ++i) {
     const ElementPoint here = sample(plan.length * i / steps);
@@ -111,7 +111,7 @@ void add_rails(const Sketch& sketch) {
 }
 
 // Adds dashes of about constant length on screen, a power of two in metres.
-void add_dashes(const Sketch& sketch, const View& view) {
+void add_dashes(const PreviewDrawing& sketch, const View& view) {
   const sim::ElementPlan& plan = sketch.plan;
   const std::vector<ElementPoint>& points = plan.ideal.points;
   double px_per_metre = 0;
@@ -121,7 +121,7 @@ void add_dashes(const Sketch& sketch, const View& view) {
   if (!(px_per_metre > 0)) return;
   const double wanted = std::exp2(std::ceil(std::log2(kDashPx * static_cast<double>(sketch.scale) / px_per_metre)));
   const double dash = std::max(wanted, plan.length / (2 * kMaxElementSteps));
-  Sampler sample(points);
+  CurveSampler sample(points);
   for (double s = 0; s < plan.length; s += 2 * dash) {
     const ElementPoint from = sample(s), to = sample(std::min(s + dash, plan.length));
     sketch.line(from.position, to.position, 2.5f, sketch.colour_at(from));
@@ -213,7 +213,7 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, float sc
 }
 
 // Adds a red disc with a cross above the rails.
-void add_failure(const sim::DerivedTrack& derived, const world::Failure& failure, const View& view, float scale,
+void add_failure(const sim::DerivedTrack& derived, const world::RideFailure& failure, const View& view, float scale,
                  Overlay& overlay) {
   if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
   std::array<glm::dvec2, 14> cross;
@@ -228,7 +228,7 @@ void add_failure(const sim::DerivedTrack& derived, const world::Failure& failure
 void add_element(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow, double rails,
                  const View& view, float scale, Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
-  const Sketch sketch{plan, narrow, rails, overlay, scale};
+  const PreviewDrawing sketch{plan, narrow, rails, overlay, scale};
   add_rails(sketch);
   add_dashes(sketch, view);
   const ElementPoint& end = plan.ideal.points.back();
@@ -258,7 +258,7 @@ void add_sections(const world::Document& document, const sim::DerivedTrack& deri
 
 Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& derived,
                       const world::Settings& settings, const View& view, const Pick& hovered,
-                      const Findings& findings) {
+                      const MarkedFindings& findings) {
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = mark_scale(settings, view);

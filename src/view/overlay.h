@@ -44,13 +44,13 @@ struct Overlay {
 };
 
 // Findings about the track and its ride that are marked on it.
-struct Findings {
+struct MarkedFindings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
   std::span<const sim::Overload> spans;       // read for Layer::limits
   std::span<const sim::Jolt> jolts;           // of the track's knots; read for Layer::limits
   std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
   std::span<const sim::Fold> folds;           // read for Layer::conflicts
-  world::Failure failure;                     // of the ride; kind none: no failure
+  world::RideFailure failure;                 // of the ride; kind none: no failure
   const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
   std::span<const sim::LineConflict> narrow;  // parts of it without clearance
   bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
@@ -62,7 +62,7 @@ struct Findings {
 // laboratory layers are below them.
 Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& derived,
                       const world::Settings& settings, const View& view, const Pick& hovered,
-                      const Findings& findings = {});
+                      const MarkedFindings& findings = {});
 
 // 0xRRGGBBAA: the element, its lead-in, and its parts below the ground or without clearance (as conflicts).
 inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff,

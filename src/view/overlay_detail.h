@@ -125,6 +125,6 @@ void add_spans(const sim::DerivedTrack& derived, std::span<const sim::Overload> 
 // Adds the visible layers, the most extensive ones first, over dark rims. Each layer reads `findings` only while it is
 // visible.
 void add_laboratory(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
-                    const View& view, const Findings& findings, Overlay& overlay);
+                    const View& view, const MarkedFindings& findings, Overlay& overlay);
 
 }  // namespace coaster::view

@@ -43,7 +43,7 @@ std::optional<double> angle_on_ring(const Ray& ray, glm::dvec3 centre, glm::dvec
 std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected) {
   if (document.entities.find<world::Segment>(selected)) return {selected};
   if (!document.entities.find<world::Knot>(selected)) return {};
-  const world::Neighbours at = world::neighbours(document, selected);
+  const world::KnotSegments at = world::neighbours(document, selected);
   std::vector<world::Entity> out{at.before, at.after};
   std::erase(out, world::kNone);
   return out;
@@ -409,7 +409,7 @@ void add_rounding(const world::Document& document, const sim::DerivedTrack& deri
 }
 
 void add_laboratory(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
-                    const View& view, const Findings& findings, Overlay& overlay) {
+                    const View& view, const MarkedFindings& findings, Overlay& overlay) {
   using world::Layer;
   const float scale = mark_scale(settings, view);
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);

@@ -116,7 +116,7 @@ double distance_to_car(const Ray& ray, const sim::Pose& pose) {
 }
 
 // A car under a pixel.
-struct Hit {
+struct CarHit {
   double distance;  // m from the eye; negative: behind it, in an orthographic view
   glm::vec3 position;
 };
@@ -132,7 +132,7 @@ std::optional<Pick> nearest_cart(const world::Document& document, const sim::Der
     const world::Entity entity = motion.carts.entities()[i];
     if (!derived.segments.contains(cart.segment)) continue;
     for (const sim::Pose& car : sim::car_poses(document, derived, entity, cart, settings.frames)) {
-      const std::optional<Hit> hit = hit_car(car);
+      const std::optional<CarHit> hit = hit_car(car);
       if (!hit || !(hit->distance < nearest)) continue;
       nearest = hit->distance;
       best = Pick{PickKind::cart, entity, 0, hit->position};
@@ -151,16 +151,16 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
   const float reach = kCartReach * target_scale(settings, view);
   const auto by_box = [&](const sim::Pose& car) {
     const double distance = distance_to_car(ray, car);
-    return std::optional(Hit{distance, ray.origin + static_cast<float>(distance) * ray.direction});
+    return std::optional(CarHit{distance, ray.origin + static_cast<float>(distance) * ray.direction});
   };
-  const auto by_middle = [&](const sim::Pose& car) -> std::optional<Hit> {
+  const auto by_middle = [&](const sim::Pose& car) -> std::optional<CarHit> {
     const glm::vec3 middle = cart_middle(car);
     const auto seen = project(view, middle);
     const bool ridden = !ray.endless && glm::distance(glm::dvec3(view.eye), car.position) < kNotTheRiders;
     if (!seen || std::abs(seen->z) > 1 || ridden || glm::distance(glm::vec2(seen->x, seen->y), pixel) > reach)
       return std::nullopt;
     const dvec3 away = dvec3(middle) - dvec3(view.eye);
-    return Hit{ray.endless ? glm::dot(away, dvec3(ray.direction)) : glm::length(away), middle};
+    return CarHit{ray.endless ? glm::dot(away, dvec3(ray.direction)) : glm::length(away), middle};
   };
   if (const auto cart = nearest_cart(document, derived, motion, settings, by_box)) return cart;
   return nearest_cart(document, derived, motion, settings, by_middle);
@@ -196,17 +196,19 @@ std::optional<Pick> pick_section_handle(const world::Document& document, const s
 constexpr double kSameDepth = 1e-3;  // of the depth: closer positions do not hide each other
 constexpr double kSamePlace = 1e-4;  // px: accuracy of pixel coordinates in float
 
-struct Candidate {
+struct CurveCandidate {
   std::size_t index = 0;  // index of the segment in the track
   double t = 0;
   double distance = 0;  // px
   double depth = 0;     // m
 };
 
-bool is_earlier(const Candidate& a, const Candidate& b) { return a.index != b.index ? a.index < b.index : a.t < b.t; }
+bool is_earlier(const CurveCandidate& a, const CurveCandidate& b) {
+  return a.index != b.index ? a.index < b.index : a.t < b.t;
+}
 
 // The end of a segment counts only if the neighbour does not come nearer beyond it.
-bool is_nearest_at_joint(const sim::DerivedTrack& derived, const PixelBeam& beam, const Candidate& at) {
+bool is_nearest_at_joint(const sim::DerivedTrack& derived, const PixelBeam& beam, const CurveCandidate& at) {
   const std::size_t count = derived.order.size();
   if (at.t == 0) {
     if (at.index == 0 && !derived.closed) return true;
@@ -222,9 +224,9 @@ bool is_nearest_at_joint(const sim::DerivedTrack& derived, const PixelBeam& beam
 }
 
 // Collects the candidates while segments are visited in any order.
-class Search {
+class PickSearch {
  public:
-  Search(const sim::DerivedTrack& derived, const PixelBeam& beam, const View& view, double reach)
+  PickSearch(const sim::DerivedTrack& derived, const PixelBeam& beam, const View& view, double reach)
       : derived_(derived),
         beam_(beam),
         least_(kNowhere),
@@ -247,17 +249,18 @@ class Search {
   }
 
   // Returns the winner by the rule in pick.h, independent of the order of the visits.
-  const Candidate* meant() {
-    std::erase_if(candidates_,
-                  [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });
+  const CurveCandidate* meant() {
+    std::erase_if(candidates_, [&](const CurveCandidate& c) {
+      return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c);
+    });
     double front = kNowhere, nearest = kNowhere;
-    for (const Candidate& c : candidates_) front = std::min(front, c.depth);
+    for (const CurveCandidate& c : candidates_) front = std::min(front, c.depth);
     const double farthest = beam_.same_depth() > 0 ? front + beam_.same_depth() : front * (1 + kSameDepth);
-    const auto in_front = [&](const Candidate& c) { return c.depth <= farthest; };
-    for (const Candidate& c : candidates_)
+    const auto in_front = [&](const CurveCandidate& c) { return c.depth <= farthest; };
+    for (const CurveCandidate& c : candidates_)
       if (in_front(c)) nearest = std::min(nearest, c.distance);
-    const Candidate* best = nullptr;
-    for (const Candidate& c : candidates_)
+    const CurveCandidate* best = nullptr;
+    for (const CurveCandidate& c : candidates_)
       if (in_front(c) && c.distance <= nearest + kSamePlace && (!best || is_earlier(c, *best))) best = &c;
     return best;
   }
@@ -266,10 +269,10 @@ class Search {
   const sim::DerivedTrack& derived_;
   const PixelBeam& beam_;
   double least_, reach_, one_behind_another_;  // px
-  std::vector<Candidate> candidates_;
+  std::vector<CurveCandidate> candidates_;
 };
 
-std::optional<Pick> picked(const sim::DerivedTrack& derived, const Candidate* place) {
+std::optional<Pick> picked(const sim::DerivedTrack& derived, const CurveCandidate* place) {
   if (!place) return std::nullopt;
   return Pick{PickKind::curve, derived.order[place->index], place->t,
               glm::vec3(curve::point(derived.tree.cubics[place->index], place->t))};
@@ -323,7 +326,7 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
 
 std::optional<Pick> pick_curve(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel, float reach) {
   const PixelBeam beam(view, pixel);
-  Search search(derived, beam, view, reach);
+  PickSearch search(derived, beam, view, reach);
   (void)visit_near(
       derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
   return picked(derived, search.meant());
@@ -333,7 +336,7 @@ std::optional<Pick> pick_curve_of_all(const sim::DerivedTrack& derived, const Vi
                                       float reach) {
   const PixelBeam beam(view, pixel);
   if (!beam.has_eye()) return std::nullopt;
-  Search search(derived, beam, view, reach);
+  PickSearch search(derived, beam, view, reach);
   for (std::size_t i = 0; i < derived.order.size(); ++i) search.look_at(i);
   return picked(derived, search.meant());
 }

@@ -10,13 +10,13 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
-struct Singular {
+struct SingularValues {
   double least = 0, most = 0;
 };
 
 // Returns bounds of the singular values of two rows by Gershgorin's discs; exact if the rows are perpendicular and of
 // equal length, as for square pixels.
-Singular singular_values(dvec3 a, dvec3 b) {
+SingularValues singular_values(dvec3 a, dvec3 b) {
   const double aa = glm::dot(a, a), bb = glm::dot(b, b), ab = std::abs(glm::dot(a, b));
   return {std::sqrt(std::max(std::min(aa, bb) - ab, 0.0)), std::sqrt(std::max(aa, bb) + ab)};
 }
@@ -84,7 +84,7 @@ void PixelBeam::set_coarse() {
   const double inverse = 1 / glm::dot(across, w);
   const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across),
               forward = inverse * across;
-  const Singular pixels = singular_values(u - glm::dot(u, w) * w, v - glm::dot(v, w) * w);
+  const SingularValues pixels = singular_values(u - glm::dot(u, w) * w, v - glm::dot(v, w) * w);
   if (!(pixels.least > 1e-3)) return;  // the three have no common zero: there is no eye
   Coarse& c = coarse_;
   c.eye = glm::vec3(eye);

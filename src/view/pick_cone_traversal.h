@@ -97,7 +97,7 @@ struct BoxSweep {
 }
 
 // Segments to be visited, the closest first.
-class Waiting {
+class VisitQueue {
  public:
   static constexpr std::size_t kMost = 256;
   bool has_room_for_block() const { return count_ + 4 <= kMost; }
@@ -131,7 +131,7 @@ std::size_t visit_near(const sim::SegmentTree& tree, const PixelBeam& beam, Limi
   };
   float slope = slope_of();
   BoxSweep sweep(coarse, slope);
-  Waiting waiting;
+  VisitQueue waiting;
   const auto look_at_waiting = [&] {
     while (!waiting.empty()) visit(waiting.next());
   };

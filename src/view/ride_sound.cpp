@@ -23,16 +23,16 @@ double white(std::uint32_t& seed) {
   return static_cast<double>(seed) * (2.0 / 4294967296.0) - 1;
 }
 
-struct Ring {
+struct RingFilter {
   double a1, a2, gain;
 };
 // Poles at radius r, so that the ring decays to 1/e in `decay` seconds; the impulse response is a sine that begins at 0
 // with amplitude 1.
-Ring ring(double hertz, double decay, int rate) {
+RingFilter ring(double hertz, double decay, int rate) {
   const double r = std::exp(-1 / (decay * rate)), w = kTurn * std::min(hertz, 0.45 * rate) / rate;
   return {2 * r * std::cos(w), -r * r, std::sin(w)};
 }
-double rung(Resonator& resonator, const Ring& ring, double in) {
+double rung(Resonator& resonator, const RingFilter& ring, double in) {
   double now = ring.a1 * resonator.last + ring.a2 * resonator.before + ring.gain * in;
   if (std::abs(now) < 1e-15) now = 0;  // denormal numbers are slow and inaudible
   resonator.before = resonator.last;
@@ -40,16 +40,16 @@ double rung(Resonator& resonator, const Ring& ring, double in) {
 }
 
 // Values that depend on speed, computed once for several frames.
-struct Tone {
-  Ring wind;
+struct SpeedFilters {
+  RingFilter wind;
   double wind_gain, wheel_gain, wheel_pole;
 };
 constexpr int kToneFrames = 32;
 
-Tone tone_of(const RideNoise& heard, int rate) {
+SpeedFilters tone_of(const RideNoise& heard, int rate) {
   constexpr double kFast = 35;  // m/s, speed of the loudest wind
   const double speed = heard.speed, part = std::min(speed / kFast, 1.3);
-  Tone tone;
+  SpeedFilters tone;
   // A wide resonance that rises with speed: 280 Hz at rest, 1 kHz at 30 m/s; half the amplitude is left after one
   // period.
   const double hertz = 280 + 24 * speed;
@@ -60,14 +60,14 @@ Tone tone_of(const RideNoise& heard, int rate) {
   return tone;
 }
 
-struct Bell {
+struct ToothPartial {
   double hertz, decay, gain;
 };
 // A steel tooth: tuned by ear, not after a particular lift.
-constexpr std::array<Bell, 3> kSteel{{{420, 0.028, 0.34}, {1270, 0.016, 0.22}, {2910, 0.008, 0.12}}};
+constexpr std::array<ToothPartial, 3> kSteel{{{420, 0.028, 0.34}, {1270, 0.016, 0.22}, {2910, 0.008, 0.12}}};
 
 // The distance over the rack gives the frames until the next click; each click differs slightly.
-double clack(RideVoice& voice, const std::array<Ring, 3>& rings, int rate) {
+double clack(RideVoice& voice, const std::array<RingFilter, 3>& rings, int rate) {
   double strike = 0;
   voice.tooth += voice.heard.rack / (kRackPitch * rate);
   if (voice.tooth >= 1) {
@@ -116,10 +116,10 @@ void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<fl
   const RideNoise wanted{finite(noise.speed, 0, kMostSpeed), finite(noise.rack, 0, kMostSpeed),
                          finite(noise.load, 0, 10), finite(noise.volume, 0, 1)};
   const double nearer = 1 - std::exp(-1 / (kSlow * rate));
-  std::array<Ring, 3> rings{};
+  std::array<RingFilter, 3> rings{};
   for (std::size_t i = 0; i < rings.size(); ++i) rings[i] = ring(kSteel[i].hertz, kSteel[i].decay, rate);
   RideNoise& heard = voice.heard;
-  Tone tone = tone_of(voice.toned, rate);
+  SpeedFilters tone = tone_of(voice.toned, rate);
   for (std::size_t frame = 0; 2 * frame + 1 < out.size(); ++frame) {
     heard.speed += nearer * (wanted.speed - heard.speed);
     heard.load += nearer * (wanted.load - heard.load);

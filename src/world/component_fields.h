@@ -2,7 +2,7 @@
 // the order of files and hashes:
 //
 //   static constexpr void fields(auto visit) {
-//     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
+//     visit(Field{"speed", 0, kMaxSpeed, FilePresence::written}, &Equipment::speed);
 //   }
 //
 // Parsing, printing and hashing of documents and the history's estimate of memory read this list.
@@ -15,7 +15,7 @@
 
 namespace coaster::world {
 
-enum class InFile {
+enum class FilePresence {
   required,  // always written, and refused where it is missing
   written,   // always written; where it is missing it has its usual value
   unusual,   // written where it does not have its usual value
@@ -24,7 +24,7 @@ enum class InFile {
 struct Field {
   std::string_view name = {};  // of the member in files
   double low = 0, high = 0;    // limits of a number; high: of each component of a vector, 0: it is a direction
-  InFile in_file = InFile::required;
+  FilePresence in_file = FilePresence::required;
   int since = 0;  // later fields of one number count in hashes where one of them is unusual, so that older documents
                   // keep their hashes; 0 always counts
 };

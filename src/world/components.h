@@ -69,8 +69,8 @@ struct Knot {
     visit(Field{"in", kMinHandle, kMaxHandle}, &Knot::in_length);
     visit(Field{"out", kMinHandle, kMaxHandle}, &Knot::out_length);
     visit(Field{"joint"}, &Knot::joint);
-    visit(Field{"spin", -kMaxSpin, kMaxSpin, InFile::unusual, 1}, &Knot::spin);
-    visit(Field{"spin_kind", 0, 0, InFile::unusual, 1}, &Knot::spin_kind);
+    visit(Field{"spin", -kMaxSpin, kMaxSpin, FilePresence::unusual, 1}, &Knot::spin);
+    visit(Field{"spin_kind", 0, 0, FilePresence::unusual, 1}, &Knot::spin_kind);
   }
   friend bool operator==(const Knot&, const Knot&) = default;
 };
@@ -157,10 +157,10 @@ struct Train {
   static constexpr void fields(auto visit) {
     visit(Field{"segment"}, &Train::segment);
     visit(Field{"fraction", 0, 1}, &Train::fraction);
-    visit(Field{"cars", 1, kMaxCars, InFile::unusual, 1}, &Train::cars);
-    visit(Field{"spacing", kMinSpacing, kMaxSpacing, InFile::unusual, 1}, &Train::spacing);
-    visit(Field{"length", kMinCarLength, kMaxCarLength, InFile::unusual, 2}, &Train::length);
-    visit(Field{"mass", kMinCarMass, kMaxCarMass, InFile::unusual, 2}, &Train::mass);
+    visit(Field{"cars", 1, kMaxCars, FilePresence::unusual, 1}, &Train::cars);
+    visit(Field{"spacing", kMinSpacing, kMaxSpacing, FilePresence::unusual, 1}, &Train::spacing);
+    visit(Field{"length", kMinCarLength, kMaxCarLength, FilePresence::unusual, 2}, &Train::length);
+    visit(Field{"mass", kMinCarMass, kMaxCarMass, FilePresence::unusual, 2}, &Train::mass);
   }
   friend bool operator==(const Train&, const Train&) = default;
 };
@@ -183,10 +183,10 @@ struct Equipment {
   float seconds = 5;        // s, stations
   static constexpr void fields(auto visit) {
     visit(Field{"equipment"}, &Equipment::kind);
-    visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
-    visit(Field{"acceleration", kMinAcceleration, kMaxAcceleration, InFile::written}, &Equipment::acceleration);
-    visit(Field{"hysteresis", 0, kMaxSpeed, InFile::unusual}, &Equipment::hysteresis);
-    visit(Field{"seconds", 0, kMaxDwell, InFile::unusual}, &Equipment::seconds);
+    visit(Field{"speed", 0, kMaxSpeed, FilePresence::written}, &Equipment::speed);
+    visit(Field{"acceleration", kMinAcceleration, kMaxAcceleration, FilePresence::written}, &Equipment::acceleration);
+    visit(Field{"hysteresis", 0, kMaxSpeed, FilePresence::unusual}, &Equipment::hysteresis);
+    visit(Field{"seconds", 0, kMaxDwell, FilePresence::unusual}, &Equipment::seconds);
   }
   friend bool operator==(const Equipment&, const Equipment&) = default;
 };
@@ -196,8 +196,8 @@ struct Losses {
   float rolling = 0;  // coefficient of rolling friction; steel coasters 0.02..0.03
   float drag = 0;     // 1/m; about 2e-5
   static constexpr void fields(auto visit) {
-    visit(Field{"rolling", 0, kMaxRolling, InFile::unusual, 1}, &Losses::rolling);
-    visit(Field{"drag", 0, kMaxDrag, InFile::unusual, 1}, &Losses::drag);
+    visit(Field{"rolling", 0, kMaxRolling, FilePresence::unusual, 1}, &Losses::rolling);
+    visit(Field{"drag", 0, kMaxDrag, FilePresence::unusual, 1}, &Losses::drag);
   }
   friend bool operator==(const Losses&, const Losses&) = default;
 };

@@ -45,11 +45,11 @@ glm::vec3 in_handle(const Knot& k) { return k.position - k.tangent * k.in_length
 glm::vec3 out_handle(const Knot& k) { return k.position + k.tangent * k.out_length; }
 float as_handle(double length) { return std::clamp(static_cast<float>(length), kMinHandle, kMaxHandle); }
 
-Neighbours neighbours(const Document& document, Entity knot_entity) {
+KnotSegments neighbours(const Document& document, Entity knot_entity) {
   const Track& track = document.track;
   const auto index = index_of(track.knots, knot_entity);
   COASTER_CHECK(index, "the knot is on the track");
-  Neighbours result;
+  KnotSegments result;
   if (*index > 0) result.before = track.segments[*index - 1];
   else if (track.closed) result.before = track.segments.back();
   if (*index < track.segments.size()) result.after = track.segments[*index];

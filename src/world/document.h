@@ -44,9 +44,9 @@ struct Document {
     visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);
     visit(Field{"datum", -kMaxCoordinate, kMaxCoordinate}, &Document::datum);
     visit(Field{}, &Document::resistance);
-    visit(Field{"heartline", -kMaxHeartline, kMaxHeartline, InFile::unusual, 2}, &Document::heartline);
-    visit(Field{"rollback_fails", 0, 0, InFile::unusual, 3}, &Document::rollback_fails);
-    visit(Field{"curve", 0, 0, InFile::unusual, 4}, &Document::curve);
+    visit(Field{"heartline", -kMaxHeartline, kMaxHeartline, FilePresence::unusual, 2}, &Document::heartline);
+    visit(Field{"rollback_fails", 0, 0, FilePresence::unusual, 3}, &Document::rollback_fails);
+    visit(Field{"curve", 0, 0, FilePresence::unusual, 4}, &Document::curve);
   }
   friend bool operator==(const Document&, const Document&) = default;
 };
@@ -81,10 +81,10 @@ glm::vec3 out_handle(const Knot& knot);  // position + tangent * out_length
 float as_handle(double length);          // a handle's length: in float, within kMinHandle..kMaxHandle
 
 // The segments that end and start at a knot; kNone at the ends of an open track. Linear in the track's length.
-struct Neighbours {
+struct KnotSegments {
   Entity before, after;
 };
-Neighbours neighbours(const Document& document, Entity knot);
+KnotSegments neighbours(const Document& document, Entity knot);
 // Returns the index in track.knots or track.segments, or nothing.
 std::optional<std::size_t> index_of(const std::vector<Entity>& order, Entity e);
 

@@ -24,13 +24,13 @@ bool same(const T* a, const T* b, std::size_t count) {
 }
 
 // Parts of a column: [at, at + there) of one document and `here` items from `at` on of the other.
-struct Stretch {
+struct ChangedItems {
   std::size_t at, there, here;
 };
 
 // Returns the part between the common start and end of both columns: minimal for an order with an insertion.
 template <class T>
-std::vector<Stretch> middle_of(const std::vector<T>& other, const std::vector<T>& column) {
+std::vector<ChangedItems> middle_of(const std::vector<T>& other, const std::vector<T>& column) {
   const std::size_t common = std::min(other.size(), column.size());
   std::size_t before = 0, after = 0;
   while (before < common && same(&other[before], &column[before], 1)) ++before;
@@ -43,10 +43,10 @@ std::vector<Stretch> middle_of(const std::vector<T>& other, const std::vector<T>
 // Returns the runs of items that differ at the same index, and the longer column's end: minimal for a pool. Runs are
 // joined where a separate edit would take more memory than the items between them.
 template <class T>
-std::vector<Stretch> places_of(const std::vector<T>& other, const std::vector<T>& column) {
+std::vector<ChangedItems> places_of(const std::vector<T>& other, const std::vector<T>& column) {
   constexpr std::size_t kBlock = 64, kEdit = sizeof(ColumnEdit<T>), kItem = sizeof(T), kJoin = kEdit / kItem;
   const std::size_t common = std::min(other.size(), column.size());
-  std::vector<Stretch> places;
+  std::vector<ChangedItems> places;
   for (std::size_t i = 0; i < common; ++i) {
     if (i % kBlock == 0 && i + kBlock <= common && same(&other[i], &column[i], kBlock)) i += kBlock - 1;
     else if (same(&other[i], &column[i], 1)) continue;
@@ -59,9 +59,9 @@ std::vector<Stretch> places_of(const std::vector<T>& other, const std::vector<T>
 }
 
 template <class T>
-std::size_t bytes_of(const std::vector<Stretch>& stretches) {
+std::size_t bytes_of(const std::vector<ChangedItems>& stretches) {
   std::size_t bytes = stretches.size() * sizeof(ColumnEdit<T>);
-  for (const Stretch& stretch : stretches) bytes += stretch.here * sizeof(T);
+  for (const ChangedItems& stretch : stretches) bytes += stretch.here * sizeof(T);
   return bytes;
 }
 
@@ -83,12 +83,12 @@ void exchange(ColumnEdit<T>& edit, std::vector<T>& column) {
 
 }  // namespace
 
-Difference difference_of(Document other, const Document& document) {
-  Difference difference;
+DocumentDifference difference_of(Document other, const Document& document) {
+  DocumentDifference difference;
   int number = 0;
   for_each_column(
       [&]<class T>(const std::vector<T>& from, const std::vector<T>& column) {
-        std::vector<Stretch> stretches = middle_of(from, column), places = places_of(from, column);
+        std::vector<ChangedItems> stretches = middle_of(from, column), places = places_of(from, column);
         if (bytes_of<T>(places) < bytes_of<T>(stretches)) stretches = std::move(places);
         auto& edits = std::get<ColumnEdits<T>>(difference.edits);
         for (const auto& [at, there, here] : stretches) {
@@ -105,7 +105,7 @@ Difference difference_of(Document other, const Document& document) {
   return difference;
 }
 
-void exchange(Difference& difference, Document& document) {
+void exchange(DocumentDifference& difference, Document& document) {
   int number = 0;
   for_each_column(
       [&]<class T>(std::vector<T>& column) {
@@ -121,9 +121,9 @@ void exchange(Difference& difference, Document& document) {
   std::swap(difference.rest.track.segments, document.track.segments);
 }
 
-std::size_t bytes_of(const Difference& difference) {
+std::size_t bytes_of(const DocumentDifference& difference) {
   const Document& rest = difference.rest;
-  std::size_t bytes = sizeof(Difference) + rest.name.capacity() + owned_bytes(rest.extra) +
+  std::size_t bytes = sizeof(DocumentDifference) + rest.name.capacity() + owned_bytes(rest.extra) +
                       (rest.track.knots.capacity() + rest.track.segments.capacity()) * sizeof(Entity);
   const auto add = [&]<class T>(const ColumnEdits<T>& edits) {
     bytes += edits.capacity() * sizeof(ColumnEdit<T>);

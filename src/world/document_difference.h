@@ -18,19 +18,19 @@ struct ColumnEdit {
 template <class T>
 using ColumnEdits = std::vector<ColumnEdit<T>>;
 
-struct Difference {
+struct DocumentDifference {
   Document rest;  // the other document without entities and order
   Entities::ColumnsOf<ColumnEdits> edits;
 };
 
 // Returns how `other` differs from `document`, bit by bit, entity slots included. Linear in their size; the size of the
 // result depends only on what differs.
-Difference difference_of(Document other, const Document& document);
+DocumentDifference difference_of(Document other, const Document& document);
 
 // Turns the document that a difference was made for into the other one, and the difference into its reverse.
-void exchange(Difference& difference, Document& document);
+void exchange(DocumentDifference& difference, Document& document);
 
 // Returns the memory of a difference, bytes.
-std::size_t bytes_of(const Difference& difference);
+std::size_t bytes_of(const DocumentDifference& difference);
 
 }  // namespace coaster::world

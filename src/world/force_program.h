@@ -89,8 +89,8 @@ struct ForceProgram {
     visit(Field{"length", kShortestForce_s, kLongestForce_m}, &ForceProgram::length);
     visit(Field{"tolerance", kLeastTolerance, kMostTolerance}, &ForceProgram::tolerance);
     visit(Field{"speed", 0, 1000}, &ForceProgram::speed);
-    visit(Field{"hold", 0, 0, InFile::unusual, 1}, &ForceProgram::hold);
-    visit(Field{"of", 0, 0, InFile::unusual, 2}, &ForceProgram::of);
+    visit(Field{"hold", 0, 0, FilePresence::unusual, 1}, &ForceProgram::hold);
+    visit(Field{"of", 0, 0, FilePresence::unusual, 2}, &ForceProgram::of);
   }
   friend bool operator==(const ForceProgram&, const ForceProgram&) = default;
 };

@@ -54,18 +54,18 @@ enum class FailureKind : std::uint8_t { none, stall, rollback, off_end, collisio
 inline constexpr base::NameRow kFailureKinds[] = {
     {"none"}, {"stalled"}, {"rolled back"}, {"ran off the open end"}, {"collided"}, {"deadlocked"}};
 constexpr std::span<const base::NameRow> rows_of(FailureKind) { return kFailureKinds; }
-struct Failure {
+struct RideFailure {
   FailureKind kind = FailureKind::none;
   Entity cart;          // the failed train
   double distance = 0;  // m from the track's start
   double speed = 0;     // m/s, when it happened
-  friend bool operator==(const Failure&, const Failure&) = default;
+  friend bool operator==(const RideFailure&, const RideFailure&) = default;
 };
 
 struct Motion {
   Pool<TrainMotion> carts;  // by the document's cart entities
   RideState state = RideState::stopped;
-  Failure failure;  // none if the ride has not failed
+  RideFailure failure;  // none if the ride has not failed
   friend bool operator==(const Motion&, const Motion&) = default;
 };
 

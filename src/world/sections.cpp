@@ -28,7 +28,7 @@ SectionRun run_of(const Document& document, Entity section) {
 }
 
 Entity section_of_knot(const Document& document, Entity knot) {
-  const Neighbours sides = neighbours(document, knot);
+  const KnotSegments sides = neighbours(document, knot);
   if (sides.before.valid()) return segment(document, sides.before).section;
   return sides.after.valid() ? segment(document, sides.after).section : kNone;
 }

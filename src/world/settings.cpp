@@ -11,7 +11,7 @@
 
 namespace coaster::world {
 
-template class HeapValue<Aids>;
+template class HeapValue<EditingAids>;
 template class HeapValue<CameraFeel>;
 template class HeapValue<Evaluation>;
 template class HeapValue<LabView>;

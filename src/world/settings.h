@@ -44,12 +44,12 @@ struct Snapping {
   friend bool operator==(const Snapping&, const Snapping&) = default;
 };
 
-struct Aids;        // world/aid_settings.h
-struct CameraFeel;  // world/camera_feel.h
-struct Evaluation;  // world/evaluation_settings.h
-struct LabView;     // world/laboratory_settings.h
-struct Appearance;  // world/appearance_settings.h
-struct Panels;      // world/panel_settings.h
+struct EditingAids;  // world/aid_settings.h
+struct CameraFeel;   // world/camera_feel.h
+struct Evaluation;   // world/evaluation_settings.h
+struct LabView;      // world/laboratory_settings.h
+struct Appearance;   // world/appearance_settings.h
+struct Panels;       // world/panel_settings.h
 
 enum class Colouring : std::uint8_t;  // world/laboratory.h
 enum class LabPage : std::uint8_t;    // world/laboratory.h
@@ -61,7 +61,7 @@ struct Settings {
   HeapValue<Appearance> look;
   HeapValue<Panels> panels;
   HeapValue<CameraFeel> feel;
-  HeapValue<Aids> aids;
+  HeapValue<EditingAids> aids;
   HeapValue<Evaluation> evaluation;
   HeapValue<LabView> lab;
   FrameMethod frames = FrameMethod::knots;

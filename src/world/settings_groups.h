@@ -22,7 +22,7 @@ auto& group_in(AnySettings& settings) {
   if constexpr (std::is_same_v<Group, Appearance>) return *settings.look;
   else if constexpr (std::is_same_v<Group, Panels>) return *settings.panels;
   else if constexpr (std::is_same_v<Group, CameraFeel>) return *settings.feel;
-  else if constexpr (std::is_same_v<Group, Aids>) return *settings.aids;
+  else if constexpr (std::is_same_v<Group, EditingAids>) return *settings.aids;
   else if constexpr (std::is_same_v<Group, Evaluation>) return *settings.evaluation;
   else if constexpr (std::is_same_v<Group, LabView>) return *settings.lab;
   else if constexpr (std::is_same_v<Group, Camera>) return settings.camera;
@@ -37,7 +37,7 @@ auto& value_in(AnySettings& settings) {
 
 template <class... Groups>
 struct GroupList {};
-using SettingGroups = GroupList<Appearance, Panels, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
+using SettingGroups = GroupList<Appearance, Panels, CameraFeel, EditingAids, Evaluation, LabView, Camera, Settings>;
 
 // Calls visit.template operator()<&Group::member>() for each row of a group, in order.
 template <class Group, class Visit>

@@ -125,17 +125,17 @@ TEST_F(FilmingTest, a_folder_that_cannot_be_made_is_refused) {
 TEST_F(FilmingTest, a_movie_by_hand_starts_with_the_ride_and_ends_with_its_lap) {
   build_track(*program_);
   ::setenv("XDG_VIDEOS_DIR", folder_.c_str(), 1);
-  follow_movie(*program_, ui::MovieWish::start);
+  follow_movie(*program_, ui::MovieRequest::start);
   ::unsetenv("XDG_VIDEOS_DIR");
   ASSERT_TRUE(program_->filming);
   EXPECT_TRUE(program_->filming->by_hand);
   EXPECT_EQ(program_->session.motion.state, world::RideState::running);
   EXPECT_GT(program_->filming->lap_ticks, 0);
   (void)film(10);
-  follow_movie(*program_, ui::MovieWish::none);
+  follow_movie(*program_, ui::MovieRequest::none);
   ASSERT_TRUE(program_->filming && program_->filming->movie) << "the lap is not over";
   program_->session.motion.carts.items()[0].laps = 1;
-  follow_movie(*program_, ui::MovieWish::none);
+  follow_movie(*program_, ui::MovieRequest::none);
   EXPECT_FALSE(program_->filming) << "the pictures are there, and there is no ffmpeg to wait for";
   EXPECT_EQ(program_->session.notices.list.back().kind, edit::NoticeKind::info);
   EXPECT_EQ(pictures_in("untitled-movie-1"), 3u);
@@ -144,13 +144,13 @@ TEST_F(FilmingTest, a_movie_by_hand_starts_with_the_ride_and_ends_with_its_lap) 
 TEST_F(FilmingTest, a_movie_by_hand_that_cannot_be_written_says_so_once) {
   build_track(*program_);
   ::setenv("XDG_VIDEOS_DIR", folder_.c_str(), 1);
-  follow_movie(*program_, ui::MovieWish::start);
+  follow_movie(*program_, ui::MovieRequest::start);
   ::unsetenv("XDG_VIDEOS_DIR");
   const std::size_t notices = program_->session.notices.list.size();
   std::filesystem::create_directories(folder_ / "untitled-movie-1" / "frame-00002.png");  // in the way
   for (int i = 0; i < 100 && program_->filming; ++i) {
     if (recording(*program_)) (void)film(4);
-    follow_movie(*program_, ui::MovieWish::none);
+    follow_movie(*program_, ui::MovieRequest::none);
   }
   EXPECT_FALSE(program_->filming);
   EXPECT_EQ(program_->session.notices.list.size(), notices + 1);
@@ -162,11 +162,11 @@ TEST_F(FilmingTest, a_movie_by_hand_that_cannot_be_written_says_so_once) {
 TEST_F(FilmingTest, a_movie_by_hand_can_be_stopped_before) {
   build_track(*program_);
   ::setenv("XDG_VIDEOS_DIR", folder_.c_str(), 1);
-  follow_movie(*program_, ui::MovieWish::start);
+  follow_movie(*program_, ui::MovieRequest::start);
   ::unsetenv("XDG_VIDEOS_DIR");
   ASSERT_TRUE(program_->filming);
   (void)film(5);
-  follow_movie(*program_, ui::MovieWish::stop);
+  follow_movie(*program_, ui::MovieRequest::stop);
   EXPECT_FALSE(program_->filming);
   EXPECT_EQ(pictures_in("untitled-movie-1"), 2u);
 }

@@ -96,11 +96,11 @@ TEST_F(Frame, a_scene_alone_shows_the_track_without_any_aid) {
   const auto same = [&](const char* with) { EXPECT_EQ(gfx::compare(alone(), plain).pixels, 0) << with; };
   same("the polyline");
   ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::knot, 2}}}).ok());
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::show_gizmo>{true}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::EditingAids::show_gizmo>{true}).ok());
   same("knots and their arrows");
   ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
   same("a section");
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::show_element>{true}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::EditingAids::show_element>{true}).ok());
   same("an element");
 }
 
@@ -121,7 +121,7 @@ TEST_F(Frame, pasted_lines_of_numbers_open_as_points_after_a_question) {
 TEST_F(Frame, closing_sections_are_not_searched_for_while_a_drag_changes_the_track) {
   place(*program_, world::ElementKind::straight);
   place(*program_, world::ElementKind::curve);
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::circuit>{1}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::EditingAids::circuit>{1}).ok());
   const auto length = [&] {
     run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
     const std::vector<sim::CircuitProposal>& found = program_->session.findings->circuit.found().list;

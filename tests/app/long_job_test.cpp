@@ -25,7 +25,7 @@ class LongJobs : public ProgramTest {
     ASSERT_TRUE(apply(*program_, edit::NewTrack{}).ok());
     program_->by_hand = true;
   }
-  edit::Command load(const std::string& name) { return edit::Load{file(name)}; }
+  edit::Command load(const std::string& name) { return edit::LoadTrack{file(name)}; }
   // The thread has come to its end.
   void wait() {
     while (!program_->job->work->done()) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -20,7 +20,7 @@ class FakeSurface final : public platform::Surface {
   double now = 0;
   bool window = false;
   std::string copied;  // the clipboard
-  std::optional<platform::Placement> at;
+  std::optional<platform::WindowPlacement> at;
 
   platform::Events next;  // of the next poll
   double longest_wait = 0;
@@ -44,8 +44,8 @@ class FakeSurface final : public platform::Surface {
   void set_clipboard(const std::string& text) override { copied = text; }
   bool is_window() const override { return window; }
   std::string library() const override { return memory_->library(); }
-  std::optional<platform::Placement> placement() const override { return at; }
-  void place(const platform::Placement& placement) override { at = placement; }
+  std::optional<platform::WindowPlacement> placement() const override { return at; }
+  void place(const platform::WindowPlacement& placement) override { at = placement; }
 
  private:
   std::unique_ptr<platform::Surface> memory_;

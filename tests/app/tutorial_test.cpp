@@ -74,7 +74,7 @@ TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
   wrong = world::usual_element(world::ElementKind::climb);
   ASSERT_TRUE(apply(program, edit::ChooseElement{wrong}).ok());
   ASSERT_TRUE(apply(program, edit::PlaceElement{wrong}).ok());
-  ASSERT_TRUE(apply(program, edit::Set<&world::Aids::show_element>{false}).ok());
+  ASSERT_TRUE(apply(program, edit::Set<&world::EditingAids::show_element>{false}).ok());
   ASSERT_TRUE(apply(program, edit::Set<&world::Panels::workspace>{world::Workspace::ride}).ok());
   ASSERT_TRUE(apply(program, edit::set_camera({.target = {900, 5, 0}})).ok());
   teach(program);

@@ -34,11 +34,11 @@ class DocumentFileState : public ProgramTest {
     std::unique_ptr<Program> other = make();
     start(*other);
     build_track(*other);
-    ASSERT_TRUE(apply(*other, edit::SetName{name}).ok());
+    ASSERT_TRUE(apply(*other, edit::SetTrackName{name}).ok());
     ASSERT_TRUE(autosave_now(*other).ok());
     stop_keeping(*other, false);
   }
-  void answer(Program& program, ui::Recovery what) {
+  void answer(Program& program, ui::RecoveryAnswer what) {
     ui::Output output;
     output.recovery = what;
     answer_keeping(program, output);
@@ -68,7 +68,7 @@ TEST_F(DocumentFileState, the_next_start_has_the_settings_of_the_last) {
   start();
   ASSERT_TRUE(apply(*program_, edit::Set<&world::Appearance::theme>{world::Theme::light}).ok());
   ASSERT_TRUE(apply(*program_, edit::Set<&world::Appearance::shadows>{false}).ok());
-  surface(*program_).at = platform::Placement{31, 47, 1111, 777, false};
+  surface(*program_).at = platform::WindowPlacement{31, 47, 1111, 777, false};
   stop_keeping(*program_, true);
   EXPECT_FALSE(program_->keeper);
   std::unique_ptr<Program> next = make();
@@ -82,12 +82,12 @@ TEST_F(DocumentFileState, the_next_start_has_the_settings_of_the_last) {
 
 TEST_F(DocumentFileState, a_size_on_the_command_line_replaces_that_of_the_last_window) {
   start();
-  surface(*program_).at = platform::Placement{31, 47, 1111, 777, true};
+  surface(*program_).at = platform::WindowPlacement{31, 47, 1111, 777, true};
   stop_keeping(*program_, true);
   std::unique_ptr<Program> next = make();
   next->options.width = 1600, next->options.height = 900;
   start(*next);
-  EXPECT_EQ(surface(*next).at, (platform::Placement{31, 47, 1600, 900, false}));
+  EXPECT_EQ(surface(*next).at, (platform::WindowPlacement{31, 47, 1600, 900, false}));
 }
 
 TEST_F(DocumentFileState, a_file_that_holds_no_settings_is_set_aside) {
@@ -156,7 +156,7 @@ TEST_F(DocumentFileState, what_a_crashed_program_left_is_offered_and_recovered) 
   EXPECT_EQ(offers[0].original, "");
   keep(*program_);
   EXPECT_EQ(program_->stats.keeping.recoverable, 1);
-  answer(*program_, ui::Recovery::recover);
+  answer(*program_, ui::RecoveryAnswer::recover);
   EXPECT_TRUE(offers.empty());
   EXPECT_EQ(program_->session.document.name, "Kestrel");
   EXPECT_EQ(program_->session.document.track.knots.size(), 3u);
@@ -168,12 +168,12 @@ TEST_F(DocumentFileState, an_offer_put_off_comes_again_and_a_discarded_one_does_
   crash_with_track("Kestrel");
   start();
   ASSERT_EQ(program_->keeper->state.recoveries.size(), 1u);
-  answer(*program_, ui::Recovery::later);
+  answer(*program_, ui::RecoveryAnswer::later);
   EXPECT_TRUE(program_->keeper->state.recoveries.empty());
   std::unique_ptr<Program> next = make();
   start(*next);
   ASSERT_EQ(next->keeper->state.recoveries.size(), 1u);
-  answer(*next, ui::Recovery::discard);
+  answer(*next, ui::RecoveryAnswer::discard);
   std::unique_ptr<Program> last = make();
   start(*last);
   EXPECT_TRUE(last->keeper->state.recoveries.empty());
@@ -200,11 +200,11 @@ TEST_F(DocumentFileState, a_file_is_saved_by_the_program_that_opened_it_first) {
   ASSERT_TRUE(before.ok());
   std::unique_ptr<Program> other = make();
   start(*other);
-  ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok()) << "to look at it is free";
+  ASSERT_TRUE(apply(*other, edit::LoadTrack{file("shared.json")}).ok()) << "to look at it is free";
   EXPECT_EQ(other->keeper->state.holder, "another coaster (process " + std::to_string(::getpid()) + ")");
   ASSERT_FALSE(other->session.notices.list.empty());
   EXPECT_EQ(other->session.notices.list.back().kind, NoticeKind::warning);
-  ASSERT_TRUE(apply(*other, edit::SetName{"Theirs"}).ok());
+  ASSERT_TRUE(apply(*other, edit::SetTrackName{"Theirs"}).ok());
   const base::Status refused = apply(*other, edit::Save{file("shared.json")});
   EXPECT_EQ(refused.code, base::Code::refused);
   EXPECT_EQ(*program_->files.read(file("shared.json")), *before);
@@ -222,12 +222,12 @@ TEST_F(DocumentFileState, a_challenge_leaves_the_file_to_others) {
   ASSERT_TRUE(apply(*program_, edit::Save{file("shared.json")}).ok());
   std::unique_ptr<Program> other = make();
   start(*other);
-  ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok());
+  ASSERT_TRUE(apply(*other, edit::LoadTrack{file("shared.json")}).ok());
   ASSERT_NE(other->keeper->state.holder, "");
   ASSERT_TRUE(apply(*other, edit::StartChallenge{challenge}).ok());
   EXPECT_EQ(other->keeper->state.holder, "") << "it shows that the track's file is in use elsewhere";
   ASSERT_TRUE(apply(*program_, edit::StartChallenge{challenge}).ok());
-  ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok());
+  ASSERT_TRUE(apply(*other, edit::LoadTrack{file("shared.json")}).ok());
   EXPECT_EQ(other->keeper->state.holder, "") << "the first program has left it";
   stop_keeping(*other, true);
 }
@@ -236,9 +236,9 @@ TEST_F(DocumentFileState, recent_files_are_those_the_user_named_the_newest_first
   start();
   build_track(*program_);
   for (const char* const name : {"a.json", "b.json"}) ASSERT_TRUE(apply(*program_, edit::Save{file(name)}).ok());
-  ASSERT_TRUE(apply(*program_, edit::Load{file("a.json")}).ok());
+  ASSERT_TRUE(apply(*program_, edit::LoadTrack{file("a.json")}).ok());
   program_->keeper->unasked = true;  // as the track that a window opens by itself
-  ASSERT_TRUE(apply(*program_, edit::Load{file("b.json")}).ok());
+  ASSERT_TRUE(apply(*program_, edit::LoadTrack{file("b.json")}).ok());
   const std::vector<std::string>& recent = program_->keeper->state.settings.recent;
   ASSERT_EQ(recent.size(), 2u);
   EXPECT_EQ(std::filesystem::path(recent[0]).filename(), "a.json");

@@ -152,7 +152,7 @@ TEST_F(root, a_file_that_no_run_made_is_neither_replaced_nor_removed) {
   EXPECT_EQ(text(out("mine")), "mine");
   EXPECT_TRUE(io.rename(out("made"), "renamed"));
   EXPECT_TRUE(io.remove(out("renamed")));
-  EXPECT_TRUE(io.write_atomic(out("mine"), "asked", Replaces::any).ok()) << "where the user was asked";
+  EXPECT_TRUE(io.write_atomic(out("mine"), "asked", ReplaceableFiles::any).ok()) << "where the user was asked";
 }
 
 TEST_F(root, a_folder_is_emptied_only_if_runs_made_all_of_it) {

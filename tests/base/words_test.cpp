@@ -9,7 +9,7 @@ namespace words_test {
 struct Line {
   std::vector<Token> tokens;
   TextError error;
-  Words words;
+  WordReader words;
   explicit Line(const std::string& text) : tokens(read(text)), words(tokens, error) {}
   static std::vector<Token> read(const std::string& text) {
     std::vector<Token> tokens;
@@ -58,7 +58,7 @@ TEST(words, the_first_failure_is_kept_with_its_column) {
   for (const char* const word : {"1,5", "x", "3x", "-", "1 2"}) {
     const std::vector<Token> tokens{{word, 1, true}};
     TextError error;
-    EXPECT_FALSE(Words(tokens, error).number("a length"));
+    EXPECT_FALSE(WordReader(tokens, error).number("a length"));
     EXPECT_FALSE(error.out_of_range) << word;
   }
 

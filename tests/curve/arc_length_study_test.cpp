@@ -66,7 +66,7 @@ TEST(arc_length_study, gauss_legendre_needs_fewer_evaluations_than_any_other_row
 
 TEST(arc_length_study, comparisons_of_a_track_are_the_sums_of_its_segments) {
   const std::vector<Cubic> track = random_cubics(12, 84);
-  const LengthDemand demand{32, 1e-6};
+  const LengthAccuracy demand{32, 1e-6};
   std::vector<LengthComparison> sum(arc_length_methods().size());
   for (const Cubic& c : track) {
     const auto one = compare_lengths(c, demand);

@@ -47,12 +47,12 @@ G2Unknowns at(G2Unknowns x, int i, double by) {
 }
 
 struct Place {
-  detail::Repair repair;
+  detail::G2Solver repair;
   G2Unknowns x;
   detail::Axes axes;
 };
 Place place_of(Chance& chance, const G2Problem& problem) {
-  return {detail::Repair(problem),
+  return {detail::G2Solver(problem),
           {chance.vector(6), chance.vector(6), chance.number(0.2, 0.8), chance.number(2, 6), chance.number(2, 6)},
           detail::axes_across(chance.unit())};
 }
@@ -97,11 +97,11 @@ TEST(g2_conditions, equal_curvature_is_met_where_both_sides_have_it) {
     problem.before.anchor = far(in) - p.x.a * problem.before.direction;
     problem.after.anchor = far(out) - p.x.b * problem.after.direction;
     const detail::Axes across = detail::axes_across(tangent);
-    const Conditions met = detail::Repair(problem).conditions(p.x, across);
+    const Conditions met = detail::G2Solver(problem).conditions(p.x, across);
     EXPECT_NEAR(met.c[0], 0, 1e-11);
     EXPECT_NEAR(met.c[1], 0, 1e-11);
     problem.after.anchor += 0.01 * across.first;
-    const Conditions missed = detail::Repair(problem).conditions(p.x, across);
+    const Conditions missed = detail::G2Solver(problem).conditions(p.x, across);
     EXPECT_GT(std::abs(missed.c[0]) + std::abs(missed.c[1]), 1e-5);
   }
 }

@@ -13,7 +13,7 @@ long double monomial_error(std::span<const long double> nodes, std::span<const l
   for (std::size_t i = 0; i < nodes.size(); ++i) sum += weights[i] * powl(nodes[i], static_cast<long double>(k));
   return sum - (k % 2 ? 0.0L : 2.0L / static_cast<long double>(k + 1));
 }
-double monomial_error(Rule rule, int k) {
+double monomial_error(QuadratureRule rule, int k) {
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * std::pow(rule.nodes[i], k);
   return sum - (k % 2 ? 0.0 : 2.0 / (k + 1));
@@ -33,7 +33,7 @@ TEST(quadrature, gauss_legendre_is_exact_to_degree_two_n_minus_one_and_no_furthe
 
 TEST(quadrature, clenshaw_curtis_is_exact_to_degree_n) {
   for (int n = 1; n <= kMaxRule; ++n) {
-    const Rule rule = clenshaw_curtis_rule(n);
+    const QuadratureRule rule = clenshaw_curtis_rule(n);
     ASSERT_EQ(rule.nodes.size(), static_cast<std::size_t>(n) + 1);
     EXPECT_EQ(rule.nodes.front(), -1);
     EXPECT_EQ(rule.nodes.back(), 1);
@@ -43,7 +43,7 @@ TEST(quadrature, clenshaw_curtis_is_exact_to_degree_n) {
 
 TEST(quadrature, rules_are_ascending_symmetric_and_positive) {
   for (int n = 1; n <= kMaxRule; ++n)
-    for (const Rule rule : {gauss_legendre_rule(n), clenshaw_curtis_rule(n)})
+    for (const QuadratureRule rule : {gauss_legendre_rule(n), clenshaw_curtis_rule(n)})
       for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         EXPECT_GT(rule.weights[i], 0);
         EXPECT_EQ(rule.nodes[i], -rule.nodes[rule.nodes.size() - 1 - i]);

@@ -63,7 +63,7 @@ class RandomCommands {
     if (below(2)) v.target.reset();
     if (below(2)) v.yaw_deg.reset();
   }
-  void fill(exchange::Import& v) {
+  void fill(exchange::ImportOptions& v) {
     fill(v.up.emplace()), fill(v.scale.emplace()), fill(v.smooth.emplace()), fill(v.bank.emplace()), fill(v.origin);
     if (below(2)) v.up.reset(), v.bank.reset();
     if (below(2)) v.scale.reset(), v.smooth.reset();

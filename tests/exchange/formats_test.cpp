@@ -23,7 +23,7 @@ std::string upper(std::string text) {
 }
 
 TEST(formats, a_path_has_the_format_of_its_ending_in_either_case) {
-  for (const Format& format : formats()) {
+  for (const TrackFormat& format : formats()) {
     const std::string ending(format.ending);
     EXPECT_EQ(format_of("some.folder/a" + ending), &format);
     EXPECT_EQ(format_of("a.b" + upper(ending)), &format);
@@ -36,12 +36,12 @@ TEST(formats, a_path_has_the_format_of_its_ending_in_either_case) {
 
 TEST(formats, messages_name_every_ending_once) {
   const std::string read = known_endings(FormatUse::read), write = known_endings(FormatUse::write);
-  for (const Format& format : formats()) {
+  for (const TrackFormat& format : formats()) {
     EXPECT_EQ(read.find(format.ending) != std::string::npos, format.parse != nullptr) << format.ending;
     EXPECT_EQ(write.find(format.ending) != std::string::npos, format.print != nullptr) << format.ending;
   }
   EXPECT_EQ(std::count(read.begin(), read.end(), '.'),
-            std::count_if(formats().begin(), formats().end(), [](const Format& f) { return f.parse != nullptr; }));
+            std::count_if(formats().begin(), formats().end(), [](const TrackFormat& f) { return f.parse != nullptr; }));
 }
 
 // A terminal that shows the file is controlled by nothing in a name: no escape, no DEL, no C1 control in either form,
@@ -59,7 +59,7 @@ TEST(formats, no_export_controls_a_terminal) {
       "f\xe2\x81\xa6"
       "g\xe2\x80\xa8h\x9b";
   int written = 0;
-  for (const Format& format : formats()) {
+  for (const TrackFormat& format : formats()) {
     if (!format.print) continue;
     const std::filesystem::path path = scratch.path() / ("a" + std::string(format.ending));
     ASSERT_TRUE(save_track(files, path, document)) << format.ending;
@@ -107,7 +107,7 @@ TEST(formats, archives_and_utf_16_are_named_with_what_to_do) {
 // The shape that comes back is within a centimetre at the knots, where one whole format keeps every bit.
 TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
   const world::Document sample = test::sample_document();
-  for (const Format& format : formats()) {
+  for (const TrackFormat& format : formats()) {
     if (!format.parse || !format.print) continue;
     if (format.check) {
       ASSERT_TRUE(format.check(sample).ok()) << format.ending;
@@ -237,7 +237,7 @@ TEST_F(ImportWords, rows_at_50_km_are_warned_of_asked_about_and_moved_with_the_w
   ASSERT_TRUE(there) << there.status().message;
   ASSERT_FALSE(there->warnings.empty());
   EXPECT_NE(there->warnings.back().find("50 km from the origin"), std::string::npos) << there->warnings.back();
-  EXPECT_EQ(question_of(files, path)->proposed, Import{.origin = true});
+  EXPECT_EQ(question_of(files, path)->proposed, ImportOptions{.origin = true});
   EXPECT_EQ(question_of(files, path)->points, 0u);
   EXPECT_FALSE(question_of(files, write("near.csv", near)));
   const auto moved = load_track(files, path, {.origin = true});
@@ -285,7 +285,7 @@ TEST_F(ImportWords, a_list_is_asked_about_with_its_proposal) {
       write("utm.xyz", "500000 4000000 30\n500200 4000000 35\n500200 4000100 30\n500000 4000100 30\n");
   const auto question = question_of(files, utm);
   ASSERT_TRUE(question);
-  EXPECT_EQ(question->proposed, (Import{.up = world::Axis::z, .scale = 1, .origin = true}));
+  EXPECT_EQ(question->proposed, (ImportOptions{.up = world::Axis::z, .scale = 1, .origin = true}));
   EXPECT_EQ(question->points, 4u);
   EXPECT_EQ(question->size, glm::dvec3(200, 100, 5));
   EXPECT_FALSE(question_of(files, write("bad.xyz", "1 2 3\n4 5\n"))) << "loading it tells the line";

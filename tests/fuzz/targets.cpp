@@ -29,7 +29,7 @@ void check_error(const base::Status& status) {
   COASTER_CHECK(!status.message.empty() && status.message.find('\n') == std::string::npos, "an error is one line");
 }
 
-void check_track(const exchange::Format& format, std::string_view bytes) {
+void check_track(const exchange::TrackFormat& format, std::string_view bytes) {
   // Fitting takes milliseconds per hundred rows, and longer inputs test nothing more of the reader.
   if (bytes.size() > 16'000) return;
   const auto loaded = format.parse(bytes, "track");
@@ -190,7 +190,7 @@ void Target::run(std::string_view bytes) const { format ? check_track(*format, b
 
 std::vector<Target> targets() {
   std::vector<Target> all;
-  for (const exchange::Format& format : exchange::formats())
+  for (const exchange::TrackFormat& format : exchange::formats())
     if (format.parse) all.push_back({format.ending.substr(1), nullptr, &format});
   all.insert(all.end(), kReaders.begin(), kReaders.end());
   return all;

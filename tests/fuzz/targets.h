@@ -13,7 +13,7 @@ struct Target {
   // A format's extension without the dot; also of its folder in tests/fuzz/corpus, if it has one.
   std::string_view name;
   void (*reader)(std::string_view bytes) = nullptr;
-  const exchange::Format* format = nullptr;  // instead of a reader
+  const exchange::TrackFormat* format = nullptr;  // instead of a reader
 
   void run(std::string_view bytes) const;
 };

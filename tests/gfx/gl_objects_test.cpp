@@ -59,9 +59,9 @@ TEST_F(Objects, a_moved_object_is_deleted_once) {
   static int deleted;
   deleted = 0;
   {
-    Object first(gl_, 7, [](const Gl&, GLuint id) { deleted += static_cast<int>(id); });
-    Object second = std::move(first);
-    Object third;
+    GlObject first(gl_, 7, [](const Gl&, GLuint id) { deleted += static_cast<int>(id); });
+    GlObject second = std::move(first);
+    GlObject third;
     third = std::move(second);
     EXPECT_EQ(third.id(), 7u);
   }

@@ -34,7 +34,7 @@ TEST(goldens, show_a_defect_of_ten_by_ten_pixels_anywhere) {
          {std::pair{0, 0}, {right, bottom}, {right / 2, bottom / 2}, {right / 3 + 1, 3}, {5, bottom / 4 + 2}}) {
       Image spoilt = *golden;
       spoil(spoilt, left, top, 10, 24);
-      EXPECT_FALSE(compare(spoilt, *golden, Difference::kOtherSamples).acceptable)
+      EXPECT_FALSE(compare(spoilt, *golden, PictureDifference::kOtherSamples).acceptable)
           << entry.path().filename() << " at " << left << ", " << top;
     }
     ++pictures;

@@ -32,7 +32,7 @@ inline Id id_of(PickKind kind, world::Entity entity) {
 }
 
 // A hilly ring with three carts close together, so that they cover each other, and one view of it.
-struct Sight {
+struct LevelView {
   world::Document document;
   sim::DerivedTrack derived;
   world::Motion motion;
@@ -47,8 +47,8 @@ struct Sight {
   view::Pick at(glm::vec2 pixel) const { return view::pick(document, derived, motion, settings, view, pixel); }
 };
 
-inline Sight make_sight() {
-  Sight sight;
+inline LevelView make_sight() {
+  LevelView sight;
   sight.settings.aids->show_gizmo = false;  // its parts are no entities
   sight.document = ring_document(9, 17.3);
   for (const double fraction : {0.21, 0.43, 0.67})
@@ -62,7 +62,7 @@ inline double uniform(std::mt19937& bits, double low, double high) {
   return low + (high - low) * (bits() / 4294967296.0);
 }
 
-inline void look_around(std::mt19937& bits, Sight& sight) {
+inline void look_around(std::mt19937& bits, LevelView& sight) {
   const std::vector<world::Entity>& knots = sight.document.track.knots;
   const std::vector<world::Entity>& segments = sight.document.track.segments;
   const std::array<world::Entity, 3> choices{world::kNone, knots[bits() % knots.size()],
@@ -88,7 +88,7 @@ inline glm::vec3 corner_of(const sim::Pose& pose, const double (&box)[2][3], int
                    box[i >> 2][2] * pose.frame.left());
 }
 // Closer views involve the near plane and the rider's own cart, which this test does not cover.
-inline bool near_a_cart(const Sight& sight) {
+inline bool near_a_cart(const LevelView& sight) {
   for (const sim::Pose& pose : sight.carts())
     if (glm::distance(pose.position, glm::dvec3(sight.view.eye)) < 2.5) return true;
   return false;
@@ -130,7 +130,7 @@ class IdPicture {
         array_(gfx::make_vertex_array(gl)),
         buffer_(gfx::make_buffer(gl)) {}
 
-  void draw(const Sight& sight) {
+  void draw(const LevelView& sight) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.id());
     gl_.Viewport(0, 0, kIdWidth, kIdHeight);
     gl_.ClearColor(0, 0, 0, 0);
@@ -178,7 +178,7 @@ class IdPicture {
     glm::vec4 place;
     glm::vec3 middle, paint;
   };
-  static void add_box(const Sight& sight, const sim::Pose& pose, const double (&box)[2][3], Id id,
+  static void add_box(const LevelView& sight, const sim::Pose& pose, const double (&box)[2][3], Id id,
                       std::vector<Corner>& corners) {
     constexpr std::array<std::array<int, 4>, 6> kFaces{
         {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
@@ -189,7 +189,7 @@ class IdPicture {
         corners.push_back({place, glm::vec3(0), glm::vec3(id[0], id[1], 0)});
       }
   }
-  static void add_mark(const Sight& sight, glm::vec3 position, float size, bool square, Id id,
+  static void add_mark(const LevelView& sight, glm::vec3 position, float size, bool square, Id id,
                        std::vector<Corner>& corners) {
     const glm::dvec4 clip = glm::dmat4(sight.view.projection) * glm::dmat4(sight.view.view) * glm::dvec4(position, 1);
     if (clip.w <= 0 || std::abs(clip.z) > clip.w) return;
@@ -218,9 +218,9 @@ class IdPicture {
   }
 
   const gfx::Gl& gl_;
-  gfx::Program program_;
-  gfx::Target target_;
-  gfx::Object array_, buffer_;
+  gfx::ShaderProgram program_;
+  gfx::RenderTarget target_;
+  gfx::GlObject array_, buffer_;
   std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(4 * kIdWidth * kIdHeight);
 };
 

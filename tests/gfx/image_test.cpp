@@ -77,7 +77,7 @@ TEST(image, a_comparison_of_every_level_names_the_first_and_the_largest_differen
   Image picture = golden;
   EXPECT_EQ(compare(picture, golden, {0, 0, 0}).largest, 0);
   shift(picture, 150, 20, 1, 2), shift(picture, 3, 71, -9, 3), shift(picture, 199, 99, 4, 0);
-  const Difference difference = compare(picture, golden, {.share = 0, .block = 0, .channel = 0});
+  const PictureDifference difference = compare(picture, golden, {.share = 0, .block = 0, .channel = 0});
   EXPECT_EQ(difference.pixels, 3);
   EXPECT_EQ(difference.first, glm::ivec2(150, 20));
   EXPECT_EQ(difference.largest, 9);
@@ -119,7 +119,7 @@ TEST(image, one_in_two_thousand_may_differ_and_no_more) {
   EXPECT_EQ(compare(picture, golden).most_pixels, 10);
   shift(picture, 199, 99, -25);
   EXPECT_FALSE(compare(picture, golden).acceptable);
-  EXPECT_TRUE(compare(picture, golden, Difference::kOtherSamples).acceptable) << "up to 80";
+  EXPECT_TRUE(compare(picture, golden, PictureDifference::kOtherSamples).acceptable) << "up to 80";
 }
 
 TEST(image, nine_in_a_block_are_a_defect_and_eight_are_not) {
@@ -139,9 +139,9 @@ TEST(image, other_samples_may_move_both_edges_of_a_post_and_no_more) {
   for (int i = 0; i < 8; ++i)
     for (const int edge : {2, 5}) shift(picture, 40 + edge, 80 + i, 30);
   EXPECT_EQ(compare(picture, golden).worst_block, 16);
-  EXPECT_TRUE(compare(picture, golden, Difference::kOtherSamples).acceptable);
+  EXPECT_TRUE(compare(picture, golden, PictureDifference::kOtherSamples).acceptable);
   shift(picture, 40, 83, 30);
-  EXPECT_FALSE(compare(picture, golden, Difference::kOtherSamples).acceptable);
+  EXPECT_FALSE(compare(picture, golden, PictureDifference::kOtherSamples).acceptable);
 }
 
 TEST(image, a_defect_of_ten_by_ten_is_found_anywhere) {
@@ -150,17 +150,17 @@ TEST(image, a_defect_of_ten_by_ten_is_found_anywhere) {
     Image picture = golden;
     for (int y = top; y < top + 10; ++y)
       for (int x = left; x < left + 10; ++x) shift(picture, x, y, 32);
-    Difference difference = compare(picture, golden);
+    PictureDifference difference = compare(picture, golden);
     EXPECT_EQ(difference.pixels, 100);
     EXPECT_FALSE(difference.acceptable) << "at " << left << ", " << top;
-    EXPECT_FALSE(compare(picture, golden, Difference::kOtherSamples).acceptable) << "at " << left << ", " << top;
+    EXPECT_FALSE(compare(picture, golden, PictureDifference::kOtherSamples).acceptable) << "at " << left << ", " << top;
     EXPECT_EQ(channel(difference.picture, left, top, 0), 255) << "differing pixels are red";
     EXPECT_EQ(channel(difference.picture, left, top, 1), 0);
   }
 }
 
 TEST(image, pictures_of_different_sizes_are_different) {
-  const Difference difference = compare(noise(30, 20), noise(20, 30));
+  const PictureDifference difference = compare(noise(30, 20), noise(20, 30));
   EXPECT_FALSE(difference.same_size);
   EXPECT_FALSE(difference.acceptable);
 }

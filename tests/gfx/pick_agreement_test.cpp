@@ -20,7 +20,7 @@ namespace pick_agreement_test {
 
 using test::Id;
 using test::kNothing;
-using test::Sight;
+using test::LevelView;
 using view::PickKind;
 
 // Counts how pick() and a picture agree at pixels. At edges, where the sample of a pixel and the rasteriser may round
@@ -30,7 +30,7 @@ struct Agreement {
   std::map<PickKind, int> by_kind;
 
   // `id_at` gives the id in the picture, nothing where the picture does not say.
-  void compare(const Sight& sight, const std::function<std::optional<Id>(int, int)>& id_at, int column, int row) {
+  void compare(const LevelView& sight, const std::function<std::optional<Id>(int, int)>& id_at, int column, int row) {
     const view::Viewport& v = sight.view.viewport;
     const view::Pick pick = sight.at({v.x + static_cast<float>(column) + 0.5f, v.y + static_cast<float>(row) + 0.5f});
     const Id expected = test::id_of(pick.kind, pick.entity);
@@ -59,7 +59,7 @@ struct Agreement {
 };
 
 // Pixels where marks and carts have their middles, as far as they are in the picture, then random ones.
-std::vector<glm::ivec2> places(const Sight& sight, std::mt19937& bits, int random_ones) {
+std::vector<glm::ivec2> places(const LevelView& sight, std::mt19937& bits, int random_ones) {
   std::vector<glm::ivec2> out;
   const auto add = [&](glm::vec3 position) {
     const auto pixel = view::project(sight.view, position);
@@ -92,7 +92,7 @@ struct PickAgreement : testing::Test {
 };
 
 TEST_F(PickAgreement, a_thousand_views_are_picked_as_an_id_picture_shows_them) {
-  Sight sight = test::make_sight();
+  LevelView sight = test::make_sight();
   test::IdPicture picture(gl);
   std::mt19937 bits(20250917);
   Agreement agreement;
@@ -117,7 +117,7 @@ TEST_F(PickAgreement, a_thousand_views_are_picked_as_an_id_picture_shows_them) {
 std::uint32_t paint_of(std::size_t index) { return 0xff00ffffu | static_cast<std::uint32_t>(index + 1) << 16; }
 
 TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_there) {
-  Sight sight = test::make_sight();
+  LevelView sight = test::make_sight();
   Renderer renderer(gl, 0);
   std::mt19937 bits(40961);
   Agreement agreement;

@@ -11,7 +11,7 @@ namespace coaster::gfx {
 namespace ranges_test {
 
 TEST(ranges, what_was_given_back_is_taken_first_fit) {
-  Ranges ranges;
+  RangeAllocator ranges;
   const Range a = ranges.take(7), b = ranges.take(5), c = ranges.take(11), d = ranges.take(3);
   EXPECT_EQ(d.first, 23u);
   ranges.give_back(b);
@@ -23,7 +23,7 @@ TEST(ranges, what_was_given_back_is_taken_first_fit) {
 }
 
 TEST(ranges, the_end_shrinks_over_gaps) {
-  Ranges ranges;
+  RangeAllocator ranges;
   const Range a = ranges.take(7), b = ranges.take(5), c = ranges.take(11);
   ranges.give_back(b);
   EXPECT_EQ(ranges.used(), 23u);
@@ -37,7 +37,7 @@ TEST(ranges, the_end_shrinks_over_gaps) {
 
 // Compares with a plain array of each element's owner.
 TEST(ranges, no_two_owners_share_an_element) {
-  Ranges ranges;
+  RangeAllocator ranges;
   std::mt19937 bits(977);
   std::vector<int> owner(1u << 16, -1);
   std::vector<Range> live;

@@ -173,9 +173,9 @@ TEST_F(Pictures, of_many_cars_those_far_from_the_eye_are_blocks) {
     const view::Overlay overlay;
     return renderer_->draw(Scene{track.derived, view, overlay, carts_}, width_, height_).triangles;
   };
-  const std::int64_t none = triangles(0), full = triangles(Instances::kFullCars) - none;
-  EXPECT_GT(full, std::int64_t{1000} * static_cast<std::int64_t>(Instances::kFullCars));
-  const std::int64_t more = triangles(Instances::kFullCars + 9488) - none - full;
+  const std::int64_t none = triangles(0), full = triangles(CarInstances::kFullCars) - none;
+  EXPECT_GT(full, std::int64_t{1000} * static_cast<std::int64_t>(CarInstances::kFullCars));
+  const std::int64_t more = triangles(CarInstances::kFullCars + 9488) - none - full;
   EXPECT_GE(more, std::int64_t{12} * 9488);
   EXPECT_LE(more, std::int64_t{12} * 9488 * 3);  // in the picture and in shadow maps
 }
@@ -301,7 +301,7 @@ TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {
     const Image incremental = picture(track);
     if (i % 4 != 3) continue;
     const Image expected = picture(*renderer_->sibling(samples_), track);
-    const Difference difference = compare(incremental, expected);
+    const PictureDifference difference = compare(incremental, expected);
     ASSERT_TRUE(incremental.rgba == expected.rgba)
         << "after edit " << i << ": " << difference.pixels << " pixels differ by much";
   }

@@ -35,7 +35,7 @@ std::vector<SegmentSize> sizes_of(const std::vector<curve::Cubic>& cubics) {
   return sizes;
 }
 
-SegmentLevels choose_levels(const std::vector<SegmentSize>& sizes, int steps, const Sight& sight) {
+SegmentLevels choose_levels(const std::vector<SegmentSize>& sizes, int steps, const LevelView& sight) {
   LevelChoice choice;
   choice.begin(sizes, steps, sight);
   return choice.levels();
@@ -122,7 +122,7 @@ TEST(segment_levels, small_moves_of_the_eye_change_nothing) {
 TEST(segment_levels, segments_that_change_are_counted_as_if_all_were) {
   auto sizes = sizes_of(random_cubics(30'000, 300));
   const auto others = sizes_of(random_cubics(30'000, 50));
-  const Sight sight{{10, 5, 0}, 1e-9f, 50};
+  const LevelView sight{{10, 5, 0}, 1e-9f, 50};
   LevelChoice choice;
   choice.begin(sizes, 64, sight);
   const SegmentLevels first = choice.levels();

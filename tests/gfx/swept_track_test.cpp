@@ -12,7 +12,7 @@ namespace swept_track_test {
 using test::Track;
 using Swept = test::Studio;
 
-constexpr SweptTrack::Reach kEverything{1e6f, 1e6f};
+constexpr SweptTrack::DetailDistances kEverything{1e6f, 1e6f};
 
 TEST_F(Swept, what_is_far_off_takes_fewer_triangles_and_no_upload) {
   Track track(test::straight_document({0, 9, 0}, {2000, 9, 0}, 200));

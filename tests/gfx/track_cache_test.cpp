@@ -57,7 +57,7 @@ TEST_F(Cache, a_very_long_track_is_held_in_full_near_the_eye_alone_wherever_the_
   const std::int64_t bytes = cache.held_polyline_bytes();
   const GLsizei lines = cache.line_count();
   const std::int64_t solid_bytes = cache.swept().bytes();
-  EXPECT_LT(solid_bytes, 2 * kMany * std::int64_t(sizeof(Piece))) << "one piece for most";
+  EXPECT_LT(solid_bytes, 2 * kMany * std::int64_t(sizeof(SweptPiece))) << "one piece for most";
   EXPECT_LE(bytes, kPolylineBudget * std::int64_t(sizeof(PolylineVertex)));
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
   cache.look_from({at(0) + glm::vec3(0.1f, 0, 0.1f), kOff, kReach}, 0);

@@ -7,8 +7,8 @@ namespace coaster::platform {
 namespace encoder_test {
 
 TEST(encoder, only_a_page_has_one) {
-  EXPECT_FALSE(Encoder::in_page());
-  const auto started = Encoder::start(30);
+  EXPECT_FALSE(BrowserEncoder::in_page());
+  const auto started = BrowserEncoder::start(30);
   ASSERT_FALSE(started.ok());
   EXPECT_EQ(started.status().code, base::Code::refused);
 }

@@ -6,8 +6,8 @@ namespace coaster::platform {
 namespace events_test {
 
 TEST(events, chords_read_in_any_case_and_print_in_one) {
-  EXPECT_EQ(parse_chord("ctrl+shift+z"), (Chord{Key::z, {true, true, false}}));
-  EXPECT_EQ(parse_chord("F"), (Chord{Key::f, {}}));
+  EXPECT_EQ(parse_chord("ctrl+shift+z"), (KeyChord{Key::z, {true, true, false}}));
+  EXPECT_EQ(parse_chord("F"), (KeyChord{Key::f, {}}));
   EXPECT_EQ(parse_chord("Esc"), parse_chord("Escape"));
   EXPECT_EQ(parse_chord("ArrowLeft"), parse_chord("Left"));
   EXPECT_EQ(parse_chord("Cmd+Option+S"), parse_chord("Ctrl+Alt+S"));

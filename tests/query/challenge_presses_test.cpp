@@ -69,7 +69,7 @@ class ChallengePresses : public test::SessionTest {
     const edit::ActiveChallenge& challenge = *session.game.challenge;
     if (!apply(press) || challenge.file.judged == exchange::JudgedWhen::build) return challenge.medal;
     const auto rules = read_rules(challenge.file, challenge.path);
-    for (const Rule& rule : *rules)
+    for (const ParsedRule& rule : *rules)
       if (must_hold(rule) && !look_at(session, rule).holds) return 0;
     (void)apply("ride.start");
     edit::advance(session, 120 * 120);

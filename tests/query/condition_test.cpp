@@ -15,7 +15,7 @@ int holds_for(const std::string& rest, const query::Value& value, std::string qu
   std::vector<base::Token> tokens;
   base::TextError error;
   EXPECT_TRUE(base::tokenise(query + " " + rest, tokens, error));
-  base::Words words(tokens, error);
+  base::WordReader words(tokens, error);
   Condition condition;
   if (!parse_condition(words, condition)) return -1;
   const base::Result<bool> result = holds(condition, value);
@@ -66,7 +66,7 @@ std::string parse_error(const std::string& line) {
   std::vector<base::Token> tokens;
   base::TextError error;
   EXPECT_TRUE(base::tokenise(line, tokens, error));
-  base::Words words(tokens, error);
+  base::WordReader words(tokens, error);
   Condition condition;
   return parse_condition(words, condition) ? "" : std::to_string(error.column) + ": " + error.message;
 }

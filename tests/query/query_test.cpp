@@ -59,7 +59,8 @@ void check_type(const Query& query, const std::string& argument, const Value& va
   const auto [type, words] = values_with(query, argument);
   const bool none = is_none(value);
   if (!none) {
-    const Type found[] = {Type::number, Type::text, Type::ranked, Type::vector};  // in the order of Value's types
+    const ValueType found[] = {ValueType::number, ValueType::text, ValueType::ranked,
+                               ValueType::vector};  // in the order of Value's types
     EXPECT_EQ(static_cast<int>(type), static_cast<int>(found[value.index()])) << query.name;
   }
   if (words.empty() || none) return;

@@ -50,7 +50,8 @@ TEST(help, the_manual_has_the_rows_of_all_statements) {
   };
   for (const RowGroup& group : row_groups()) {
     std::vector<std::string> rows;
-    for (const Row& row : group.rows) rows.push_back("| `" + escaped(row.usage) + "` | " + escaped(row.help) + " |");
+    for (const StatementRow& row : group.rows)
+      rows.push_back("| `" + escaped(row.usage) + "` | " + escaped(row.help) + " |");
     EXPECT_EQ(table_below(std::string(group.title)), rows) << "docs/script.md lacks rows or has others";
   }
   const std::vector<std::string> commands = table_below("Commands");
@@ -69,7 +70,7 @@ TEST(help, the_manual_has_the_rows_of_all_statements) {
 TEST(help, every_word_of_a_row_is_a_statement_of_its_own) {
   std::vector<std::string> words;
   for (const RowGroup& group : row_groups())
-    for (const Row& row : group.rows) {
+    for (const StatementRow& row : group.rows) {
       const std::string before = words.empty() ? "" : words.back();
       for (const std::string& word : words_of(row)) {
         const bool again = std::find(words.begin(), words.end(), word) != words.end();

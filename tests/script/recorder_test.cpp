@@ -32,7 +32,7 @@ TEST(recorder, a_replay_has_the_same_hashes) {
   base::Files files;
   FakeHost original;
   const std::string track = std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json";
-  ASSERT_TRUE(original.apply(edit::Load{track}).ok());
+  ASSERT_TRUE(original.apply(edit::LoadTrack{track}).ok());
   const std::filesystem::path path = test_folder() / "recorded.coaster";
   {
     auto recorder = Recorder::start(files, path, original.session);
@@ -89,7 +89,7 @@ world::Settings other_settings(const edit::Session& session) {
 TEST(recorder, a_replay_has_the_same_settings) {
   base::Files files;
   FakeHost original;
-  ASSERT_TRUE(original.apply(edit::Load{std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(original.apply(edit::LoadTrack{std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json"}).ok());
   const world::Settings at_first = original.session.settings;
   const auto replay = [&](const std::string& name) {
     const std::filesystem::path path = test_folder() / (name + ".coaster");

@@ -37,14 +37,14 @@ std::size_t section_of(const std::vector<double>& ends, double length, double at
   return before % ends.size();
 }
 
-struct Watched {
+struct CameraSubject {
   int shared = 0, held = 0;  // ticks with two trains in a section; ticks in which some train stood in a block
   std::vector<std::int64_t> laps;
   bool failed = false;
   std::vector<int> stops;  // ticks that trains stood in the station, one for each stop
 };
 
-Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int ticks) {
+CameraSubject watch(const world::Document& d, const std::set<std::size_t>& blocks, int ticks) {
   DerivedTrack derived;
   derive(d, {}, {}, derived);
   std::vector<double> ends{derived.starts[1]};
@@ -53,7 +53,7 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
   world::Motion motion;
   reset(d, derived, motion);
   motion.state = world::RideState::running;
-  Watched seen;
+  CameraSubject seen;
   std::vector<int> standing(motion.carts.size(), 0);
   for (int tick = 0; tick < ticks; ++tick) {
     step(d, derived, {}, 1, cache, motion);
@@ -80,7 +80,7 @@ TEST(blocks, no_two_trains_are_ever_in_one_section_and_the_station_sets_the_head
   const std::set<std::size_t> blocks{4, 8, 12};
   const double seconds = 12.0;
   const int ticks = 120 * 240;
-  const Watched seen = watch(operated_ring(blocks, seconds), blocks, ticks);
+  const CameraSubject seen = watch(operated_ring(blocks, seconds), blocks, ticks);
   EXPECT_FALSE(seen.failed);
   EXPECT_EQ(seen.shared, 0);
   EXPECT_GT(seen.held, 120);  // the station is slow: those behind had to wait
@@ -95,7 +95,7 @@ TEST(blocks, no_two_trains_are_ever_in_one_section_and_the_station_sets_the_head
 }
 
 TEST(blocks, without_them_the_same_trains_meet) {
-  const Watched seen = watch(operated_ring({}, 12.0), {}, 120 * 120);
+  const CameraSubject seen = watch(operated_ring({}, 12.0), {}, 120 * 120);
   EXPECT_TRUE(seen.failed);
 }
 

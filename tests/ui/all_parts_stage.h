@@ -62,9 +62,9 @@ class AllPartsStage : public Stage {
         select(kind, number);
         show(where + " with a selection");
       }
-      set<&world::Aids::show_element>(true);
+      set<&world::EditingAids::show_element>(true);
       show(where + " with an element");
-      set<&world::Aids::show_element>(false);
+      set<&world::EditingAids::show_element>(false);
     }
     set<&world::Panels::workspace>(Workspace::laboratory);
     set<&world::Panels::show_laboratory>(true);

@@ -32,7 +32,7 @@ struct Chased {
     document.heartline = 0;
     sim::derive(document, settings, {}, derived);
   }
-  Watched watched() const { return {document, derived, motion, settings}; }
+  CameraSubject watched() const { return {document, derived, motion, settings}; }
   void settle() {
     rig.heading.settle(ridden.middle.frame);
     settle_chase(rig, watched(), ridden);

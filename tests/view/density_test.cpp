@@ -47,7 +47,7 @@ TEST_F(Density, twice_the_pixels_show_every_line_and_mark_twice_as_large) {
   const std::vector<sim::Conflict> conflicts{{60, 80, 55, 65, 75, 85, 0.5, {60, 5, 1}, {61, 7, 2}}};
   const std::vector<sim::Fold> folds{{90, 95, 92, 0.7, {70, 6, 1}}};
   const sim::ElementPlan element = sim::plan_element(world::usual_element(world::ElementKind::helix), session.document);
-  Findings findings{breaks, spans, jolts, conflicts, folds, {world::FailureKind::stall, {}, 33, 0}, &element, {}};
+  MarkedFindings findings{breaks, spans, jolts, conflicts, folds, {world::FailureKind::stall, {}, 33, 0}, &element, {}};
   for (const char* selected : {"q4", "q3", "k3", "s4"}) {
     session.settings.selected = entity(selected);
     const Pick hovered{PickKind::curve, session.document.track.segments[1], 0.3, {10, 5, 0}};

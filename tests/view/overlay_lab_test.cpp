@@ -251,7 +251,7 @@ TEST(overlay_lab, a_jolt_above_the_limit_has_a_sign_with_a_peak_over_its_knot) {
   Scene scene;
   std::vector<sim::Jolt> jolts(scene.document.track.knots.size());
   jolts[2].total = sim::kJoltLimit * 1.01, jolts[3].total = sim::kJoltLimit * 0.99;
-  Findings findings;
+  MarkedFindings findings;
   findings.jolts = jolts;
   scene.settings.lab->layers.set(world::Layer::limits, true);
   Overlay overlay;
@@ -322,7 +322,7 @@ TEST(overlay_lab, a_conflict_has_a_band_over_both_stretches_and_a_sign_above_whi
                                .missing = 1,
                                .at_place = {3, 4, 5},
                                .other_place = {5, 6, 7}};
-  Findings findings;
+  MarkedFindings findings;
   findings.conflicts = {&conflict, 1};
   Overlay overlay;
   add_laboratory(scene.document, scene.derived, scene.settings, scene.view, findings, overlay);

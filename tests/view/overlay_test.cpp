@@ -219,7 +219,7 @@ TEST(overlay_riding, only_the_chosen_knot_is_marked_while_the_eye_rides) {
   const sim::DerivedTrack derived = test::derived_of(d);
   const Viewport viewport{0, 0, 640, 360};
   const View view = orbit_view(frame_all({}, d, viewport), viewport);
-  Findings findings;
+  MarkedFindings findings;
   findings.riding = true;
   EXPECT_TRUE(build_overlay(d, derived, {}, view, {}, findings).marks.empty());
   world::Settings settings;
@@ -244,7 +244,7 @@ TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_
   const Viewport viewport{0, 0, 640, 360};
   const View view = orbit_view(frame_all({}, d, viewport), viewport);
   const Overlay without = build_overlay(d, derived, {}, view, {});
-  Findings findings;
+  MarkedFindings findings;
   findings.failure = {world::FailureKind::stall, {}, 0.3 * derived.length, 0};
   const Overlay with = build_overlay(d, derived, {}, view, {}, findings);
   ASSERT_GT(with.marks.size(), without.marks.size());

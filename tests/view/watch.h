@@ -39,7 +39,7 @@ struct Watch {
     motion.state = world::RideState::running;
     look(0);
   }
-  Watched watched() const { return {document, derived, motion, settings}; }
+  CameraSubject watched() const { return {document, derived, motion, settings}; }
   void look(int ticks) { follow(rig, watched(), ticks); }
   void tick() {
     sim::step(document, derived, {}, 1, cache, motion);

@@ -43,7 +43,7 @@ TEST(difference, leads_from_any_version_to_any_other_and_back) {
   const std::vector<Document> all = versions();
   for (const Document& from : all)
     for (const Document& to : all) {
-      Difference difference = difference_of(from, to);
+      DocumentDifference difference = difference_of(from, to);
       Document document = to;
       exchange(difference, document);
       expect_same(document, from);
@@ -54,8 +54,8 @@ TEST(difference, leads_from_any_version_to_any_other_and_back) {
 
 TEST(difference, of_equal_documents_is_as_small_as_an_empty_one) {
   const Document d = test::sample_document();
-  Difference none = difference_of(d, d);
-  EXPECT_LE(bytes_of(none), sizeof(Difference) + 64 + d.name.size() + d.extra.json.size());
+  DocumentDifference none = difference_of(d, d);
+  EXPECT_LE(bytes_of(none), sizeof(DocumentDifference) + 64 + d.name.size() + d.extra.json.size());
 }
 
 }  // namespace document_difference_test

@@ -16,9 +16,9 @@ namespace coaster::world {
 namespace settings_test {
 
 TEST(settings, a_box_is_a_value) {
-  HeapValue<Aids> box;
+  HeapValue<EditingAids> box;
   box->circuit = 2;
-  HeapValue<Aids> copy = box;
+  HeapValue<EditingAids> copy = box;
   EXPECT_TRUE(copy == box);
   copy->circuit = 1;
   EXPECT_EQ(box->circuit, 2) << "each has its own";

@@ -31,7 +31,7 @@ struct Keyword {
 // The operations of a field type, so that the rest is shared by all commands.
 struct FieldType {
   std::string (*print)(const void* value);
-  bool (*read)(base::Words& words, void* value);
+  bool (*read)(base::WordReader& words, void* value);
   std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
   std::string (*words)(const void* value, const world::Document& document);  // in words, for sentences
 };
@@ -44,7 +44,7 @@ constexpr FieldType field_type() {
     if constexpr (requires { words_of(typed, document); }) return words_of(typed, document);
     else return words_of(typed);
   };
-  type.read = [](base::Words& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
+  type.read = [](base::WordReader& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
   if constexpr (!std::is_same_v<T, Target>)
     type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
   return type;
@@ -123,7 +123,7 @@ std::string usage(const CommandKind& row) {
 }
 
 // Reads one field; returns false if it failed through `words`.
-bool read_field(base::Words& words, const Field& field) {
+bool read_field(base::WordReader& words, const Field& field) {
   const Keyword& keyword = field.keyword;
   if (!keyword.word.empty()) {
     const bool here = words.peek() && keyword.is(words.peek()->text);
@@ -170,7 +170,7 @@ std::vector<base::Token> apart(std::span<const base::Token> tokens, const std::s
 Command::Command() : Command(Undo{}) {}
 
 bool opens_link(const Command& command) {
-  const Load* const load = command.as<Load>();
+  const LoadTrack* const load = command.as<LoadTrack>();
   return load != nullptr && exchange::is_link(load->path);
 }
 
@@ -257,7 +257,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   const auto place = std::ranges::find_if(fields, [](const Field& field) { return field.keyword.place; });
   std::vector<base::Token> former;
   if (place != fields.end()) tokens = former = apart(tokens, place->keyword.word);
-  base::Words words(tokens, error);
+  base::WordReader words(tokens, error);
   words.take("a command");
   const bool read =
       std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });

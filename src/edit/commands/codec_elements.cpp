@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view kLeft = "left", kRight = "right";
 
 // Reads a number, or the name of a choice.
-bool read_parameter(base::Words& words, const world::ElementParameter& parameter, double& value) {
+bool read_parameter(base::WordReader& words, const world::ElementParameter& parameter, double& value) {
   if (parameter.names.empty()) return read_value(words, value);
   const Names names = base::names_in(parameter.names);
   const auto row = words.one_of(joined(names), names);
@@ -39,7 +39,7 @@ std::string print_value(const world::Element& value) {
   return text;
 }
 
-bool read_value(base::Words& words, world::Element& value) {
+bool read_value(base::WordReader& words, world::Element& value) {
   world::ElementKind kind{};
   if (!read_value(words, kind)) return false;
   value = world::usual_element(kind);

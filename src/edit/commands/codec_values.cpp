@@ -11,7 +11,7 @@ namespace coaster::edit {
 namespace {
 
 template <class T, class Parse>
-bool read_number(base::Words& words, std::string_view what, Parse parse, T& value) {
+bool read_number(base::WordReader& words, std::string_view what, Parse parse, T& value) {
   const base::Token* const word = words.take(what);
   if (!word) return false;
   const auto number = parse(word->text);
@@ -55,7 +55,7 @@ std::optional<world::Name> read_name(std::string_view word) {
 }
 
 template <class Several>
-bool read_several(base::Words& words, std::string_view expected, Several& value) {
+bool read_several(base::WordReader& words, std::string_view expected, Several& value) {
   const base::Token* const word = words.take(expected);
   if (!word) return false;
   value = {};
@@ -80,10 +80,10 @@ bool read_several(base::Words& words, std::string_view expected, Several& value)
 }
 
 template <class T>
-bool read_part(base::Words& words, std::optional<T>& part) {
+bool read_part(base::WordReader& words, std::optional<T>& part) {
   return read_value(words, part.emplace());
 }
-bool read_part(base::Words&, bool& part) { return part = true; }
+bool read_part(base::WordReader&, bool& part) { return part = true; }
 template <class T>
 std::string print_part(const std::optional<T>& part) {
   return ' ' + print_value(*part);
@@ -98,7 +98,7 @@ std::string print_parts(const auto& value) {
   });
   return text;
 }
-bool read_parts(base::Words& words, auto& value, bool needs_one) {
+bool read_parts(base::WordReader& words, auto& value, bool needs_one) {
   Names names;
   value.fields(value, [&](std::string_view name, auto&) { names.emplace_back(name); });
   for (bool more = needs_one || !words.at_end(); more; more = !words.at_end()) {
@@ -158,18 +158,18 @@ std::string words_of(const world::Element& value) { return words_of(value.kind);
 
 std::string print_value(const Knots& value) { return print_several(value); }
 std::string print_value(const Sections& value) { return print_several(value); }
-bool read_value(base::Words& words, Knots& value) {
+bool read_value(base::WordReader& words, Knots& value) {
   return read_several(words, "knots such as @k3, @k1,@k2 or @k3..@k9, or all, or selected", value);
 }
-bool read_value(base::Words& words, Sections& value) {
+bool read_value(base::WordReader& words, Sections& value) {
   return read_several(words, "sections such as @q3, @q1,@q2 or @q3..@q9, or all, or selected", value);
 }
-bool read_value(base::Words& words, KnotsOrSections& value) {
+bool read_value(base::WordReader& words, KnotsOrSections& value) {
   return read_several(words, "knots or sections such as @k3..@k9 or @q2, or all, or selected", value);
 }
 
 std::string print_value(const Phrase& value) { return value.text; }
-bool read_value(base::Words& words, Phrase& value) {
+bool read_value(base::WordReader& words, Phrase& value) {
   value.text.clear();
   while (const base::Token* const word = words.peek()) {
     if (!word->quoted && (word->text == "by" || word->text == "of")) break;
@@ -181,11 +181,11 @@ bool read_value(base::Words& words, Phrase& value) {
 }
 
 std::string print_value(const CameraChange& value) { return print_parts(value); }
-std::string print_value(const exchange::Import& value) { return print_parts(value); }
-bool read_value(base::Words& words, CameraChange& value) { return read_parts(words, value, true); }
-bool read_value(base::Words& words, exchange::Import& value) { return read_parts(words, value, false); }
+std::string print_value(const exchange::ImportOptions& value) { return print_parts(value); }
+bool read_value(base::WordReader& words, CameraChange& value) { return read_parts(words, value, true); }
+bool read_value(base::WordReader& words, exchange::ImportOptions& value) { return read_parts(words, value, false); }
 
-bool read_value(base::Words& words, Target& value) {
+bool read_value(base::WordReader& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2, @c1 or @q1";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
@@ -196,7 +196,7 @@ bool read_value(base::Words& words, Target& value) {
   return true;
 }
 
-bool read_value(base::Words& words, HandleTarget& value) {
+bool read_value(base::WordReader& words, HandleTarget& value) {
   constexpr std::string_view kExpected = "a handle such as @k3.in or @k3.out";
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
@@ -210,18 +210,22 @@ bool read_value(base::Words& words, HandleTarget& value) {
   return true;
 }
 
-bool read_value(base::Words& words, glm::vec3& value) {
+bool read_value(base::WordReader& words, glm::vec3& value) {
   for (const auto& [axis, what] : {std::pair{0, "a number (x of three)"}, std::pair{1, "a number (y of three)"},
                                    std::pair{2, "a number (z of three)"}})
     if (!read_number(words, what, base::parse_float, value[axis])) return false;
   return true;
 }
-bool read_value(base::Words& words, float& value) { return read_number(words, "a number", base::parse_float, value); }
-bool read_value(base::Words& words, double& value) { return read_number(words, "a number", base::parse_double, value); }
-bool read_value(base::Words& words, std::int64_t& value) {
+bool read_value(base::WordReader& words, float& value) {
+  return read_number(words, "a number", base::parse_float, value);
+}
+bool read_value(base::WordReader& words, double& value) {
+  return read_number(words, "a number", base::parse_double, value);
+}
+bool read_value(base::WordReader& words, std::int64_t& value) {
   return read_number(words, "a whole number", base::parse_int, value);
 }
-bool read_value(base::Words& words, int& value) {
+bool read_value(base::WordReader& words, int& value) {
   const auto parse = [](std::string_view text) {
     auto number = base::parse_int(text);
     if (number && (*number > std::numeric_limits<int>::max() || *number < std::numeric_limits<int>::min()))
@@ -230,13 +234,13 @@ bool read_value(base::Words& words, int& value) {
   };
   return read_number(words, "a whole number", parse, value);
 }
-bool read_value(base::Words& words, bool& value) {
+bool read_value(base::WordReader& words, bool& value) {
   static const Names kNames{"off", "on"};
   const auto row = words.one_of(joined(kNames), kNames);
   if (row) value = *row == 1;
   return row.has_value();
 }
-bool read_value(base::Words& words, std::string& value) {
+bool read_value(base::WordReader& words, std::string& value) {
   const base::Token* const word = words.take("a text");
   if (word) value = word->text;
   return word != nullptr;

@@ -32,7 +32,7 @@ std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
 std::string print_value(const Sections& value);
 std::string print_value(const Phrase& value);
 std::string print_value(const CameraChange& value);
-std::string print_value(const exchange::Import& value);  // "" for the default
+std::string print_value(const exchange::ImportOptions& value);  // "" for the default
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
 std::string print_value(const std::string& value);
@@ -50,7 +50,7 @@ std::string words_of(const Sections& value, const world::Document& document);
 std::string words_of(const KnotsOrSections& value, const world::Document& document);
 inline std::string words_of(const Phrase& value) { return value.text; }
 inline std::string words_of(const CameraChange& value) { return print_value(value); }
-inline std::string words_of(const exchange::Import& value) { return print_value(value); }
+inline std::string words_of(const exchange::ImportOptions& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);
 std::string words_of(const world::Element& value);
 inline std::string words_of(bool value) { return print_value(value); }
@@ -59,24 +59,24 @@ inline std::string words_of(const Flag&) { return {}; }
 std::string words_of(std::floating_point auto value) { return fmt::format("{:.6g}", value); }
 inline std::string words_of(std::integral auto value) { return std::to_string(value); }
 
-bool read_value(base::Words& words, Target& value);
-bool read_value(base::Words& words, HandleTarget& value);
-bool read_value(base::Words& words, Knots& value);
-bool read_value(base::Words& words, Sections& value);
-bool read_value(base::Words& words, KnotsOrSections& value);
-bool read_value(base::Words& words, Phrase& value);
-bool read_value(base::Words& words, CameraChange& value);      // reads to the end of the line
-bool read_value(base::Words& words, exchange::Import& value);  // reads to the end of the line
-bool read_value(base::Words& words, glm::vec3& value);
-bool read_value(base::Words& words, float& value);
-bool read_value(base::Words& words, double& value);
-bool read_value(base::Words& words, int& value);
-bool read_value(base::Words& words, std::int64_t& value);
-bool read_value(base::Words& words, bool& value);
-bool read_value(base::Words& words, std::string& value);
-bool read_value(base::Words& words,
+bool read_value(base::WordReader& words, Target& value);
+bool read_value(base::WordReader& words, HandleTarget& value);
+bool read_value(base::WordReader& words, Knots& value);
+bool read_value(base::WordReader& words, Sections& value);
+bool read_value(base::WordReader& words, KnotsOrSections& value);
+bool read_value(base::WordReader& words, Phrase& value);
+bool read_value(base::WordReader& words, CameraChange& value);             // reads to the end of the line
+bool read_value(base::WordReader& words, exchange::ImportOptions& value);  // reads to the end of the line
+bool read_value(base::WordReader& words, glm::vec3& value);
+bool read_value(base::WordReader& words, float& value);
+bool read_value(base::WordReader& words, double& value);
+bool read_value(base::WordReader& words, int& value);
+bool read_value(base::WordReader& words, std::int64_t& value);
+bool read_value(base::WordReader& words, bool& value);
+bool read_value(base::WordReader& words, std::string& value);
+bool read_value(base::WordReader& words,
                 world::Element& value);  // reads to the end of the line; missing values get their defaults
-inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  // its keyword was read already
+inline bool read_value(base::WordReader&, Flag& value) { return value.set = true; }  // its keyword was read already
 
 inline std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
 inline std::string usage_of(const Knots&) { return "@knot,...|@knot..@knot|all|selected"; }
@@ -84,7 +84,7 @@ inline std::string usage_of(const Sections&) { return "@section,...|@section..@s
 inline std::string usage_of(const KnotsOrSections&) { return "@knot,...|@knot..@knot|@section,...|all|selected"; }
 inline std::string usage_of(const Phrase&) { return "WORDS"; }
 inline std::string usage_of(const CameraChange&) { return "[target X Y Z] [yaw A] [pitch B] [distance D]"; }
-inline std::string usage_of(const exchange::Import&) {
+inline std::string usage_of(const exchange::ImportOptions&) {
   return "[up x|y|z] [scale NUMBER] [smooth NUMBER] [bank level|auto] [origin]";
 }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
@@ -107,7 +107,7 @@ std::string words_of(E value) {
   return words;
 }
 template <base::Named E>
-bool read_value(base::Words& words, E& value) {
+bool read_value(base::WordReader& words, E& value) {
   const Names names = base::names_of<E>();
   const auto row = words.one_of(joined(names), names);
   if (row) value = static_cast<E>(*row);

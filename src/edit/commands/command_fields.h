@@ -95,14 +95,14 @@ enum class Effect : std::uint8_t { document, settings, motion, history, session 
 enum class PathUse : std::uint8_t { none, opens, writes };
 // What a recording keeps of a command: its line; the line with the whole path; a copy of the track as the command left
 // it, which the recording loads; or nothing, because neither document nor motion depends on it.
-enum class Recorded : std::uint8_t { line, whole_path, track, nothing };
+enum class RecordedForm : std::uint8_t { line, whole_path, track, nothing };
 struct CommandTraits {
   PathUse path = PathUse::none;
-  Recorded recorded = Recorded::line;
+  RecordedForm recorded = RecordedForm::line;
   bool replaces = false;  // the whole track, by another: windows ask about unsaved changes, then frame the new track
 };
-inline constexpr CommandTraits kWritesFile{PathUse::writes, Recorded::nothing};
-inline constexpr CommandTraits kOpensTrack{PathUse::opens, Recorded::track, true};
+inline constexpr CommandTraits kWritesFile{PathUse::writes, RecordedForm::nothing};
+inline constexpr CommandTraits kOpensTrack{PathUse::opens, RecordedForm::track, true};
 
 struct CommandInfo {
   std::string_view name;  // the first word of its line

@@ -13,7 +13,7 @@ struct StartChallenge {
   COASTER_COMMAND(
       StartChallenge, "challenge",
       "Begin a challenge: opens its start track as an unsaved track. Forces are compared with the built-in limits.",
-      Effect::session, {}, {PathUse::opens, Recorded::whole_path, true});
+      Effect::session, {}, {PathUse::opens, RecordedForm::whole_path, true});
   COASTER_FIELDS(visit("", self.path))
 };
 struct LeaveChallenge {

@@ -33,11 +33,12 @@ struct SetDirection {
   COASTER_COMMAND(SetDirection, "direct", "Turn the tangents of knots to a direction.", Effect::document, "Turned {}");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
-struct SetLengths {
+struct SetHandleLengths {
   Knots knots;
   float in = 5, out = 5;
-  COASTER_COMMAND(SetLengths, "lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.",
-                  Effect::document, "Set the handle lengths of {}");
+  COASTER_COMMAND(SetHandleLengths, "lengths",
+                  "Set handle lengths of knots (m); different ones make a smooth joint aligned.", Effect::document,
+                  "Set the handle lengths of {}");
   COASTER_FIELDS(visit("", self.knots), visit("in", self.in), visit("out", self.out))
 };
 struct SetRoll {
@@ -85,8 +86,8 @@ struct SplitSegment {
                   "Inserted a knot into {}");
   COASTER_FIELDS(visit("", self.segment), visit(":at", self.at))
 };
-struct AddCurve {
-  COASTER_COMMAND(AddCurve, "add_curve",
+struct SplitLongestSegment {
+  COASTER_COMMAND(SplitLongestSegment, "add_curve",
                   "Split the longest segment at half its arc length; on an open track with no segment, append a knot.",
                   Effect::document, "Added a curve");
   COASTER_FIELDS()
@@ -115,9 +116,9 @@ struct AddTrain {
                   Effect::document, "Added a train");
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
-struct SetName {
+struct SetTrackName {
   std::string to;
-  COASTER_COMMAND(SetName, "name", "Name the track.", Effect::document, "Named the track {}");
+  COASTER_COMMAND(SetTrackName, "name", "Name the track.", Effect::document, "Named the track {}");
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetStartSpeed {
@@ -149,8 +150,8 @@ struct MakeAllG2 {
   COASTER_FIELDS()
 };
 
-COASTER_COMMAND_LIST(Document, MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetSpin, AutomaticSpin,
-                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnotOrTrain, SetClosed, AddTrain,
-                     SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2);
+COASTER_COMMAND_LIST(Document, MoveKnot, MoveHandle, SetDirection, SetHandleLengths, SetRoll, SetSpin, AutomaticSpin,
+                     SetJoint, SetTurns, SplitSegment, SplitLongestSegment, AppendKnot, RemoveKnotOrTrain, SetClosed,
+                     AddTrain, SetTrackName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2);
 
 }  // namespace coaster::edit

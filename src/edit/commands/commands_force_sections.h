@@ -149,15 +149,16 @@ struct MakeForceSection {
       Effect::document, "Made {} a force section");
   COASTER_FIELDS(visit("", self.sections), visit("tolerance?", self.tolerance))
 };
-struct FreeForces {
+struct FreeForceSection {
   Target section;
-  COASTER_COMMAND(FreeForces, "force.free", "Make a force section hand-shaped: its knots stay, its keys are removed.",
-                  Effect::document, "Made {} hand-shaped");
+  COASTER_COMMAND(FreeForceSection, "force.free",
+                  "Make a force section hand-shaped: its knots stay, its keys are removed.", Effect::document,
+                  "Made {} hand-shaped");
   COASTER_FIELDS(visit("", self.section))
 };
 
 COASTER_COMMAND_LIST(Force, AddForceSection, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
                      CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceDomain, SetForceQuantity,
-                     HoldForceSectionEnds, MakeForceSection, FreeForces);
+                     HoldForceSectionEnds, MakeForceSection, FreeForceSection);
 
 }  // namespace coaster::edit

@@ -16,9 +16,9 @@ struct ShowLayer {
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
 // Measures the table of sim/study/evaluator_benchmark.h, a part per frame.
-struct Measure {
+struct StartMeasuring {
   COASTER_COMMAND(
-      Measure, "measure",
+      StartMeasuring, "measure",
       "Measure time and error of every evaluator on this machine, a part in each frame, on the curves of this track.",
       Effect::settings);
   COASTER_FIELDS()
@@ -34,6 +34,6 @@ struct SaveMeasurements {
   COASTER_FIELDS(visit("", self.path))
 };
 
-COASTER_COMMAND_LIST(Lab, ShowLayer, Measure, StopMeasuring, SaveMeasurements);
+COASTER_COMMAND_LIST(Lab, ShowLayer, StartMeasuring, StopMeasuring, SaveMeasurements);
 
 }  // namespace coaster::edit

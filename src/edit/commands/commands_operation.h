@@ -87,7 +87,7 @@ struct LoadForceLimits {
   std::string path;
   COASTER_COMMAND(LoadForceLimits, "envelope",
                   "Compare forces with the limits by duration in a file (.json): data to edit, not a compliance check.",
-                  Effect::session, {}, {PathUse::opens, Recorded::nothing});
+                  Effect::session, {}, {PathUse::opens, RecordedForm::nothing});
   COASTER_FIELDS(visit("", self.path))
 };
 struct AutoBank {

@@ -115,7 +115,7 @@ struct OpenSections {
   COASTER_COMMAND(
       OpenSections, "section.open",
       "Add the sections of a track file at the open end of the track; planned ones are planned again there.",
-      Effect::document, "Added sections of {}", {PathUse::opens, Recorded::track});
+      Effect::document, "Added sections of {}", {PathUse::opens, RecordedForm::track});
   COASTER_FIELDS(visit("", self.path))
 };
 

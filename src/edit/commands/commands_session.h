@@ -31,11 +31,11 @@ struct CancelGesture {
                   Effect::history);
   COASTER_FIELDS()
 };
-struct Load {
+struct LoadTrack {
   std::string path;
-  exchange::Import import = {};
+  exchange::ImportOptions import = {};
   COASTER_COMMAND(
-      Load, "load",
+      LoadTrack, "load",
       "Open a track file; its extension selects the format. Or open a shared link. The words say how a list "
       "of points becomes a track; origin moves it, or NoLimits 2 rows, to the origin.",
       Effect::session, {}, kOpensTrack);
@@ -51,9 +51,9 @@ struct Save {
                   Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
 };
-struct Share {
+struct CopyLink {
   COASTER_COMMAND(
-      Share, "share",
+      CopyLink, "share",
       "Copy a link that holds the track, the camera and the evaluator. load opens it, and so does a browser.",
       Effect::settings);
   COASTER_FIELDS()
@@ -70,7 +70,7 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
-COASTER_COMMAND_LIST(Session, Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, Share, RecoverTrack,
-                     NewTrack);
+COASTER_COMMAND_LIST(Session, Undo, Redo, BeginGesture, EndGesture, CancelGesture, LoadTrack, Save, CopyLink,
+                     RecoverTrack, NewTrack);
 
 }  // namespace coaster::edit

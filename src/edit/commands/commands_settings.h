@@ -24,9 +24,9 @@ inline world::Camera changed(world::Camera camera, const SetCamera& command) {
   camera.distance = command.to.distance.value_or(camera.distance);
   return camera;
 }
-struct SetFly {
+struct SetFlyCamera {
   world::FlyCamera to;
-  COASTER_COMMAND(SetFly, "camera.fly",
+  COASTER_COMMAND(SetFlyCamera, "camera.fly",
                   "Put the free camera at a place (m), looking at yaw and pitch (degrees; yaw 0 is -Z, pitch up).",
                   Effect::settings);
   COASTER_FIELDS(visit("eye", self.to.eye), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg))
@@ -67,6 +67,6 @@ struct SetPolyline {
   COASTER_FIELDS(visit("", self.to))
 };
 
-COASTER_COMMAND_LIST(Settings, SetCamera, SetFly, Select, SelectKnots, SelectSections, SetSnapping, SetPolyline);
+COASTER_COMMAND_LIST(Settings, SetCamera, SetFlyCamera, Select, SelectKnots, SelectSections, SetSnapping, SetPolyline);
 
 }  // namespace coaster::edit

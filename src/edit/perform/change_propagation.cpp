@@ -76,11 +76,11 @@ using world::Knot;
 double largest(glm::vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // The values of a knot that belong to a section.
-struct Side {
+struct SectionKnotHandles {
   bool in, out;  // the handles within the section; inside a section the spin also counts
 };
 
-bool same(const Knot& before, const Knot& now, Side side) {
+bool same(const Knot& before, const Knot& now, SectionKnotHandles side) {
   return before.position == now.position && before.tangent == now.tangent && before.up == now.up &&
          (!side.in || before.in_length == now.in_length) && (!side.out || before.out_length == now.out_length) &&
          (!(side.in && side.out) || before.spin == now.spin);
@@ -89,7 +89,7 @@ bool same(const Knot& before, const Knot& now, Side side) {
 bool near(float a, float b) { return std::abs(a - b) <= 1e-6f * (1 + std::abs(b)); }
 
 // True if the values are the same after the carry, except for rounding to float.
-bool moved(const sim::UprightMove& carry, const Knot& before, const Knot& now, Side side) {
+bool moved(const sim::UprightMove& carry, const Knot& before, const Knot& now, SectionKnotHandles side) {
   constexpr double kTurned = 1e-5;  // rad
   const double rounding =
       4.0 * std::numeric_limits<float>::epsilon() * (1.0 + std::max(largest(before.position), largest(now.position)));
@@ -101,9 +101,9 @@ bool moved(const sim::UprightMove& carry, const Knot& before, const Knot& now, S
          glm::distance(carry.direction(dvec3(before.up)), dvec3(now.up)) <= kTurned;
 }
 
-class Comparison {
+class SectionShapeComparison {
  public:
-  Comparison(const Session& session, const Change& change) : session_(session), respun_(change.respun) {
+  SectionShapeComparison(const Session& session, const Change& change) : session_(session), respun_(change.respun) {
     std::sort(respun_.begin(), respun_.end());
   }
 
@@ -116,7 +116,7 @@ class Comparison {
     bool stays = true, moves = true;
     const sim::UprightMove carry = carry_of(before, now);
     for (std::size_t i = 0; i <= now.count && (stays || moves); ++i) {
-      const Side side{i > 0, i < now.count};
+      const SectionKnotHandles side{i > 0, i < now.count};
       if (side.in && side.out && std::binary_search(respun_.begin(), respun_.end(), entity(now, i))) return false;
       stays = stays && same(former(before, i), present(now, i), side);
       moves = moves && moved(carry, former(before, i), present(now, i), side);
@@ -138,7 +138,7 @@ class Comparison {
     return sim::move_between(dvec3(former(before, 0).position), way(former(before, 0), former(before, farthest)),
                              dvec3(present(now, 0).position), way(present(now, 0), present(now, farthest)));
   }
-  const sim::DerivedTrack::Made& made() const { return session_.derived.made; }
+  const sim::DerivedTrack::BuiltInputs& made() const { return session_.derived.made; }
   const Knot& former(const world::SectionRun& run, std::size_t i) const {
     return made().knots[(run.first + i) % made().knots.size()];
   }
@@ -159,7 +159,7 @@ class Comparison {
 void free_hand_shaped(const std::vector<PlannedSection>& before, Session& session, Change& change) {
   if (before.empty()) return;
   world::Document& document = session.document;
-  const Comparison comparison(session, change);
+  const SectionShapeComparison comparison(session, change);
   std::vector<std::string> freed;
   for (const world::SectionRun& run : world::sections_of(document)) {
     const auto was = std::find_if(before.begin(), before.end(),

@@ -40,7 +40,7 @@ Status show_shared(Session& session, Change& change, const exchange::SharedView&
   fit_budget(session);
   derive(session);
   if (const Status looks = perform(session, change, set_camera(view.camera)); !looks) return looks;
-  return perform(session, change, SetFly{view.fly});
+  return perform(session, change, SetFlyCamera{view.fly});
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   if (!base::interrupted()) sim::reset(session.document, session.derived, session.motion);
 }
 
-Status perform(Session& session, Change& change, const Load& command) {
+Status perform(Session& session, Change& change, const LoadTrack& command) {
   auto* const read =
       change.search && change.search->found ? std::get_if<exchange::LoadedTrack>(&*change.search->found) : nullptr;
   base::Result<exchange::LoadedTrack> loaded =
@@ -76,7 +76,7 @@ Status perform(Session& session, Change& change, const Load& command) {
   if (!loaded) return loaded.status();
   // A format that does not hold everything is an import: the next save needs a file name, and until then the track
   // counts as unsaved. A link holds everything.
-  const exchange::Format* const format = loaded->view ? nullptr : exchange::format_of(command.path);
+  const exchange::TrackFormat* const format = loaded->view ? nullptr : exchange::format_of(command.path);
   start_over(session, std::move(loaded->document), format && format->whole ? command.path : std::string());
   if (format != nullptr && !format->whole) session.file.saved_hash = ~session.file.saved_hash;
   session.file.import = loaded->import;
@@ -86,7 +86,7 @@ Status perform(Session& session, Change& change, const Load& command) {
   change.note = std::move(loaded->note);
   return loaded->view ? show_shared(session, change, *loaded->view) : Status();
 }
-Status perform(Session& session, Change& change, const Share&) {
+Status perform(Session& session, Change& change, const CopyLink&) {
   std::string link = link_of(session);
   if (link.size() > exchange::kMaxLinkBytes)
     return refused(
@@ -105,7 +105,7 @@ Status perform(Session& session, Change& change, const Save& command) {
                                         command.path, base::quoted_start(command.path))};
   std::uint64_t content = 0;
   const Status status = exchange::save_track(change.files, command.path, session.document, &content,
-                                             own ? base::Replaces::any : base::Replaces::made);
+                                             own ? base::ReplaceableFiles::any : base::ReplaceableFiles::made);
   if (!status) {
     // If only the last flush failed, the new contents are this program's own.
     if (own && content_of(session.file.path) == content) session.file.content = content;
@@ -147,7 +147,8 @@ Status perform(Session& session, Change& change, const RecoverTrack& command) {
   if (!loaded) return loaded.status();
   // The document is compared with the present contents of the original file; if they differ, or there is no file, it
   // counts as unsaved.
-  const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
+  const exchange::TrackFormat* const format =
+      command.original.empty() ? nullptr : exchange::format_of(command.original);
   std::uint64_t saved = ~world::hash(loaded->document);
   std::optional<std::uint64_t> content;
   if (format != nullptr && format->whole)

@@ -211,7 +211,7 @@ Status perform(Session& session, Change& change, const CopyForceKeys& command) {
   const auto section = force_section(session, command.section);
   if (!section) return section.status();
   const ForceProgram& program = world::section(session.document, *section).force;
-  exchange::CopiedKeys copied{program.over, {}, program.of};
+  exchange::CopiedForceKeys copied{program.over, {}, program.of};
   for (const ForceKey& key : program.keys(command.channel))
     if (key.at >= command.from - kSamePlace && key.at <= command.to + kSamePlace) copied.keys.push_back(key);
   if (copied.keys.empty()) return refused(fmt::format("{} has no keys there", base::name_of(command.channel)));
@@ -276,7 +276,7 @@ Status perform(Session& session, Change& change, const HoldForceSectionEnds& com
   return with_program_of(session, change, command, [&](ForceProgram& program) { program.hold = command.on; });
 }
 
-Status perform(Session& session, Change&, const FreeForces& command) {
+Status perform(Session& session, Change&, const FreeForceSection& command) {
   const auto section = force_section(session, command.section);
   if (!section) return section.status();
   world::Section& value = session.document.entities.get<world::Section>(*section);

@@ -24,14 +24,14 @@ using world::Knot;
 base::Status refusal(std::string reason) { return {base::Code::refused, std::move(reason)}; }
 
 // The indices in track order around a joint.
-struct Joint {
+struct JointIndices {
   std::size_t before, at, after;
 };
 bool joins(const Document& document, std::size_t index) {
   const std::size_t count = document.track.knots.size();
   return document.track.closed ? count > 1 : index > 0 && index + 1 < count;
 }
-Joint joint_at(const Document& document, std::size_t index) {
+JointIndices joint_at(const Document& document, std::size_t index) {
   const std::size_t count = document.track.knots.size();
   return {(index + count - 1) % count, index, (index + 1) % count};
 }
@@ -79,7 +79,7 @@ G2Side side_of(const Document& document, std::size_t far, bool out, bool strict,
   return side;
 }
 
-curve::G2Problem problem_of(const Document& document, const Joint& j, bool strict) {
+curve::G2Problem problem_of(const Document& document, const JointIndices& j, bool strict) {
   const Knot& knot = knot_at(document, j.at);
   const bool one_neighbour = j.before == j.after;
   const dvec3 t = forward(knot), p(knot.position);
@@ -110,7 +110,7 @@ double farthest(const curve::G2Problem& problem, const curve::G2Solution& s) {
 std::string metres(double value) { return base::to_text(std::round(value * 1000.0) / 1000.0) + " m"; }
 
 // Checks the limits of knots, and that the change is small enough for a repair.
-base::Status acceptable(const Document& document, const Joint& j, const curve::G2Problem& problem,
+base::Status acceptable(const Document& document, const JointIndices& j, const curve::G2Problem& problem,
                         const curve::G2Solution& s) {
   if (s.outcome == curve::G2Outcome::degenerate) return refusal("a handle has no length");
   if (s.outcome == curve::G2Outcome::no_convergence)
@@ -136,7 +136,7 @@ void set_length(Knot& knot, bool out, double to) {
   if (knot.joint == JointKind::smooth) knot.in_length = knot.out_length = static_cast<float>(to);
 }
 
-void put(Document& document, const Joint& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
+void put(Document& document, const JointIndices& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
   Knot& knot = knot_at(document, j.at);
   if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
   if (!problem.position_fixed) knot.position = glm::vec3(s.position);
@@ -147,27 +147,27 @@ void put(Document& document, const Joint& j, const curve::G2Problem& problem, co
   if (!problem.after.length_fixed) set_length(knot_at(document, j.after), false, s.after_length);
 }
 
-struct Classes {
+struct ContinuityClasses {
   curve::GeometricContinuity geometric;
   curve::ParametricContinuity parametric;
 };
-std::optional<Classes> classes_at(const Document& document, std::size_t index) {
+std::optional<ContinuityClasses> classes_at(const Document& document, std::size_t index) {
   if (!joins(document, index)) return std::nullopt;
   const curve::JointContinuity joint = class_at(document, index);
-  return Classes{joint.geometric, joint.parametric};
+  return ContinuityClasses{joint.geometric, joint.parametric};
 }
-bool lowered(const std::optional<Classes>& before, const std::optional<Classes>& now) {
+bool lowered(const std::optional<ContinuityClasses>& before, const std::optional<ContinuityClasses>& now) {
   return before && (now->geometric < before->geometric || now->parametric < before->parametric);
 }
 
 // Does one repair. Not strict: the neighbours' joints may lose G2 (but not C1 or C2) and regain it later.
 base::Status repair(Document& document, std::size_t index, bool strict) {
-  const Joint j = joint_at(document, index);
+  const JointIndices j = joint_at(document, index);
   const curve::G2Problem problem = problem_of(document, j, strict);
   const curve::G2Solution solution = curve::solve_g2(problem);
   if (const base::Status status = acceptable(document, j, problem, solution); !status) return status;
   const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
-  const std::optional<Classes> before = classes_at(document, j.before), after = classes_at(document, j.after);
+  const std::optional<ContinuityClasses> before = classes_at(document, j.before), after = classes_at(document, j.after);
   const curve::ParametricContinuity own = class_at(document, index).parametric;
   put(document, j, problem, solution);
   const curve::JointContinuity now = class_at(document, index);
@@ -234,7 +234,7 @@ RepairReport report(const Document& before, const Document& now, const std::vect
   RepairReport result;
   for (std::size_t i = 0; i < now.track.knots.size(); ++i) {
     if (!joins(now, i)) continue;
-    const std::optional<Classes> was = classes_at(before, i), is = classes_at(now, i);
+    const std::optional<ContinuityClasses> was = classes_at(before, i), is = classes_at(now, i);
     if (lowered(was, is)) spoilt = true;
     if (was->geometric == curve::GeometricContinuity::g2) ++result.already;
     else if (is->geometric == curve::GeometricContinuity::g2) ++result.changed;

@@ -168,7 +168,7 @@ Status perform(Session& session, Change&, const SetDirection& command) {
   });
 }
 
-Status perform(Session& session, Change& change, const SetLengths& command) {
+Status perform(Session& session, Change& change, const SetHandleLengths& command) {
   const float in = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
   const float out = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
   return each_knot(session, command.knots, [&](Knot& knot) {

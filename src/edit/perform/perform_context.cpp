@@ -46,12 +46,12 @@ glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
 }
 
 void derive(Session& session) {
-  const sim::Detail before = sim::detail_of(session.derived);
+  const sim::SolidsDetail before = sim::detail_of(session.derived);
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
   session.evaluated.rebuilds += session.derived.rebuilds;
   session.evaluated.seconds += session.derived.evaluation_seconds;
   session.evaluated.vertices += session.derived.evaluated_vertices;
-  const sim::Detail now = sim::detail_of(session.derived);
+  const sim::SolidsDetail now = sim::detail_of(session.derived);
   if (now == before) return;
   if (const std::string coarse = sim::detail_text(now); !coarse.empty()) notify(session, NoticeKind::warning, coarse);
 }

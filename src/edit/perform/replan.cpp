@@ -30,7 +30,7 @@ using world::SectionRun;
 using world::Train;
 
 // The start positions of a section's trains, as fractions of its length.
-struct Starts {
+struct TrainFractions {
   std::vector<std::pair<Entity, double>> carts;
 };
 
@@ -41,8 +41,8 @@ std::vector<double> lengths_of(const Document& document, const SectionRun& run) 
   return ends;
 }
 
-Starts starts_on(const Document& document, const SectionRun& run) {
-  Starts starts;
+TrainFractions starts_on(const Document& document, const SectionRun& run) {
+  TrainFractions starts;
   const auto& carts = document.entities.pool<Train>();
   std::vector<double> ends;
   for (std::size_t i = 0; i < carts.size(); ++i) {
@@ -57,7 +57,7 @@ Starts starts_on(const Document& document, const SectionRun& run) {
   return starts;
 }
 
-void put_back(const Starts& starts, const SectionRun& run, Document& document) {
+void put_back(const TrainFractions& starts, const SectionRun& run, Document& document) {
   if (starts.carts.empty()) return;
   const std::vector<double> ends = lengths_of(document, run);
   for (const auto& [e, fraction] : starts.carts) {
@@ -184,7 +184,7 @@ PlanAgain planner_of(SectionKind kind) {
     case SectionKind::element:
       return [](Session& session, Change& change, Document& document, Entity section) {
         const world::Element as = world::section(document, section).element;
-        return replan_element(session, change, document, section, as, Following::planned);
+        return replan_element(session, change, document, section, as, FollowingTrack::planned);
       };
     case SectionKind::force: return replan_force;
     case SectionKind::free:
@@ -202,20 +202,20 @@ void put_end(Document& document, const SectionRun& run, const sim::ElementFit& f
 }
 
 // The conditions that the track imposes on a section's ends.
-struct Ends {
+struct SectionEndConditions {
   Knot start, end;
   glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
 };
-bool alike(const Ends& a, const Ends& b) {
+bool alike(const SectionEndConditions& a, const SectionEndConditions& b) {
   return a.start == b.start && a.end == b.end && glm::distance(a.before, b.before) <= sim::kElementJump &&
          glm::distance(a.after, b.after) <= sim::kElementJump;
 }
-Ends ends_of(const Document& document, const SectionRun& run) {
+SectionEndConditions ends_of(const Document& document, const SectionRun& run) {
   const auto& segments = document.track.segments;
   const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
-  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
-            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
-            curve::curvature_vector(cubic(run.end()), 0.0)};
+  SectionEndConditions ends{nth_knot(document, run.first), nth_knot(document, run.end()),
+                            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
+                            curve::curvature_vector(cubic(run.end()), 0.0)};
   // These belong to the section or follow from the curvatures of the track beside it.
   ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
   ends.start.joint = ends.end.joint = world::JointKind::aligned;
@@ -301,7 +301,7 @@ void reshape(Document& document, Entity section, const sim::ElementFit& fit, Sec
   const auto last = [&]() -> Knot& {
     return document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
   };
-  const Starts starts = spans == run.count ? Starts{} : starts_on(document, run);
+  const TrainFractions starts = spans == run.count ? TrainFractions{} : starts_on(document, run);
   const Knot held = last();
   world::resize_section(document, section, spans);
   run.count = spans;
@@ -335,13 +335,13 @@ Status put_in_place(Document& document, const SectionRun& run, const sim::Elemen
 }
 
 Status replan_element(Session& session, Change& change, Document& document, Entity section, const world::Element& as,
-                      Following following) {
+                      FollowingTrack following) {
   const SectionRun run = world::run_of(document, section);
   const sim::ElementPlan plan = sim::plan_element(as, sim::start_of(document, run));
   if (!plan.refusal.empty()) return refused(plan.refusal);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
-  const Status put = following == Following::moves ? put_in_place(document, run, plan.fit)
-                                                   : put_and_follow(session, change, document, run, plan.fit);
+  const Status put = following == FollowingTrack::moves ? put_in_place(document, run, plan.fit)
+                                                        : put_and_follow(session, change, document, run, plan.fit);
   if (!put) return put;
   equip_again(document, plan, world::run_of(document, section));
   world::Section& value = document.entities.get<world::Section>(section);

@@ -19,9 +19,9 @@ inline const world::Knot& nth_knot(const world::Document& document, std::size_t 
 // moves to its new end, and everything after it with carry_after(). Knots and segments keep their names if their number
 // stays the same. Changes nothing on failure, except that `document` is unusable then. Adds the clamped values to
 // `change`.
-enum class Following : std::uint8_t { moves, planned };  // planned: as after a force section (put_and_follow)
+enum class FollowingTrack : std::uint8_t { moves, planned };  // planned: as after a force section (put_and_follow)
 base::Status replan_element(Session& session, Change& change, world::Document& document, world::Entity section,
-                            const world::Element& as, Following following = Following::moves);
+                            const world::Element& as, FollowingTrack following = FollowingTrack::moves);
 
 // Refused if a section of that many spans would exceed the limits.
 base::Status room_for_spans(const Session& session, const world::Document& document, const world::SectionRun& run,

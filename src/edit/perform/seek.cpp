@@ -29,9 +29,9 @@ using base::Status;
 using Values = std::vector<double>;
 
 // A copy of a session for trying values.
-class Trial {
+class SeekTrial {
  public:
-  Trial(const Session& session, const Seek& command, std::vector<SeekNumber> numbers)
+  SeekTrial(const Session& session, const SeekGoal& command, std::vector<SeekNumber> numbers)
       : start_(session.document),
         planned_(planned_sections(session.document)),
         goal_(command.goal.text),
@@ -115,7 +115,7 @@ std::string failure(const std::string& by, const base::Solution& solution, const
   }
 }
 
-base::Result<SeekResult> run(Trial& trial) {
+base::Result<SeekResult> run(SeekTrial& trial) {
   const base::Result<GoalState> before = trial.measure();
   if (!before) return before.status();
   const auto is_now = [&](double value) {
@@ -154,11 +154,11 @@ std::vector<world::Entity> planned_again(const world::Document& before, const wo
   return planned;
 }
 
-base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const Seek& command) {
+base::Result<std::shared_ptr<SeekTrial>> trial_for(const Session& session, const SeekGoal& command) {
   if (!session.game.referee.measure) return refused("this program cannot measure goals");
   base::Result<std::vector<SeekNumber>> numbers = seek_numbers(session, command);
   if (!numbers) return numbers.status();
-  return std::make_shared<Trial>(session, command, std::move(*numbers));
+  return std::make_shared<SeekTrial>(session, command, std::move(*numbers));
 }
 
 using base::Unknown;
@@ -169,28 +169,28 @@ constexpr double kCoordinateStep = 0.25;  // m, of coordinates
 constexpr double kSeekRollStep = 1;       // degrees
 constexpr double kParameterStep = 0.01;   // fraction of the parameter's default value, or of its range if that is 0
 
-struct ByRow {
+struct SeekWordRow {
   std::string_view name;
   std::vector<SeekKind> kinds;
 };
-const std::vector<ByRow>& knot_rows() {
-  static const std::vector<ByRow> kRows{{"height", {SeekKind::height}},
-                                        {"x", {SeekKind::x}},
-                                        {"z", {SeekKind::z}},
-                                        {"place", {SeekKind::x, SeekKind::height, SeekKind::z}},
-                                        {"roll", {SeekKind::roll}}};
+const std::vector<SeekWordRow>& knot_rows() {
+  static const std::vector<SeekWordRow> kRows{{"height", {SeekKind::height}},
+                                              {"x", {SeekKind::x}},
+                                              {"z", {SeekKind::z}},
+                                              {"place", {SeekKind::x, SeekKind::height, SeekKind::z}},
+                                              {"roll", {SeekKind::roll}}};
   return kRows;
 }
 // Returns the kinds of a knot's numbers with that name; none for other words.
 std::vector<SeekKind> kinds_of(std::string_view by) {
   const auto& rows = knot_rows();
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ByRow& r) { return r.name == by; });
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const SeekWordRow& r) { return r.name == by; });
   return row == rows.end() ? std::vector<SeekKind>() : row->kinds;
 }
 
 int axis_of(SeekKind kind) { return static_cast<int>(kind); }
 
-bool names_sections(const Session& session, const Seek& command) {
+bool names_sections(const Session& session, const SeekGoal& command) {
   const Knots& of = command.of;
   if (of.which == Knots::Which::selected) return !world::selected_sections(session.document, session.settings).empty();
   if (of.which == Knots::Which::all) return kinds_of(command.by.text).empty();
@@ -198,12 +198,12 @@ bool names_sections(const Session& session, const Seek& command) {
 }
 
 // Limits the unknown to the command's limits; false if it starts beyond them.
-bool limit(const Seek& command, Unknown& unknown) {
+bool limit(const SeekGoal& command, Unknown& unknown) {
   unknown.low = std::max(unknown.low, command.above), unknown.high = std::min(unknown.high, command.below);
   return unknown.low <= unknown.start && unknown.start <= unknown.high;
 }
 
-base::Status beyond_limits(const Session& session, world::Entity e, const Seek& command, double value) {
+base::Status beyond_limits(const Session& session, world::Entity e, const SeekGoal& command, double value) {
   return refused(fmt::format("the {} of @{} is {:.6g}, which is beyond the limits {:.6g} to {:.6g}", command.by.text,
                              world::label_of(session.document, e), value, command.above, command.below));
 }
@@ -215,7 +215,7 @@ Unknown of_knot(const world::Knot& knot, SeekKind kind) {
   return {start, kCoordinateStep, kind == SeekKind::height && start >= 0 ? 0 : -most, most};
 }
 
-base::Result<Numbers> of_knots(const Session& session, const Seek& command) {
+base::Result<Numbers> of_knots(const Session& session, const SeekGoal& command) {
   const std::vector<SeekKind> kinds = kinds_of(command.by.text);
   if (kinds.empty())
     return refused(
@@ -295,7 +295,7 @@ Numbers of_element(const world::Element& element, Entity section, std::string_vi
            {*world::found_value(element, row->name), kParameterStep * usual, row->low, row->high}}};
 }
 
-base::Result<Numbers> of_sections(const Session& session, const Seek& command) {
+base::Result<Numbers> of_sections(const Session& session, const SeekGoal& command) {
   Sections named;
   named.which = command.of.which, named.names = command.of.names;
   const auto sections = chosen_sections(session, named);
@@ -350,17 +350,17 @@ std::vector<std::string> section_numbers() {
 
 }  // namespace
 
-std::function<base::Result<SeekResult>()> search_for(const Session& session, const Seek& command) {
+std::function<base::Result<SeekResult>()> search_for(const Session& session, const SeekGoal& command) {
   return [trial = trial_for(session, command)]() {
     return trial ? run(**trial) : base::Result<SeekResult>(trial.status());
   };
 }
 
-Status perform(Session& session, Change& change, const Seek& command) {
+Status perform(Session& session, Change& change, const SeekGoal& command) {
   if (session.history.in_gesture) return refused("a gesture is open");
   const auto* const sought =
       change.search && change.search->found ? std::get_if<SeekResult>(&*change.search->found) : nullptr;
-  const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
+  const base::Result<std::shared_ptr<SeekTrial>> trial = trial_for(session, command);
   if (!trial) return trial.status();
   base::Result<SeekResult> found = sought ? base::Result<SeekResult>(*sought) : run(**trial);
   if (!found) return found.status();
@@ -373,7 +373,7 @@ Status perform(Session& session, Change& change, const Seek& command) {
   return {};
 }
 
-std::optional<std::string> wrong_by(const Seek& command) {
+std::optional<std::string> wrong_by(const SeekGoal& command) {
   const std::vector<world::Name>& of = command.of.names;
   const bool knots = of.empty() || of.front().kind != world::Kind::section, sections = of.empty() || !knots;
   std::vector<std::string> names = knots ? base::names_in(knot_rows()) : std::vector<std::string>();
@@ -391,7 +391,7 @@ std::optional<std::string> wrong_by(const Seek& command) {
                      base::quoted_start(by), base::suggestion(by, names));
 }
 
-base::Result<Numbers> seek_numbers(const Session& session, const Seek& command) {
+base::Result<Numbers> seek_numbers(const Session& session, const SeekGoal& command) {
   if (command.above > command.below) return refused("expected limits with above <= below");
   base::Result<Numbers> numbers =
       names_sections(session, command) ? of_sections(session, command) : of_knots(session, command);
@@ -422,7 +422,7 @@ Status give(Session& session, Change& change, const Numbers& numbers, const std:
   return {};
 }
 
-std::string words_of(const Seek& command, const Numbers& numbers) {
+std::string words_of(const SeekGoal& command, const Numbers& numbers) {
   if (numbers.empty() || numbers.front().kind != SeekKind::force_key) return command.by.text;
   const std::string channel(base::name_of(numbers.front().channel));
   const std::size_t at = command.by.text.find(" at ");

@@ -48,7 +48,7 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const SetFly& command) {
+Status perform(Session& session, Change& change, const SetFlyCamera& command) {
   world::FlyCamera fly = command.to;
   fly.eye = change.clamp_position("eye", fly.eye);
   fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
@@ -69,7 +69,7 @@ Status perform(Session& session, Change&, const ShowLayer& command) {
   return {};
 }
 
-Status perform(Session& session, Change&, const Measure&) {
+Status perform(Session& session, Change&, const StartMeasuring&) {
   sim::Measurement started = sim::start_measurement(session.derived);
   if (!started.running) return refused("there is no segment to measure on");
   session.measuring.measurement = std::move(started);

@@ -100,7 +100,7 @@ Status perform(Session& session, Change& change, const SplitSegment& command) {
   return split_at(session, change, e, command.at);
 }
 
-Status perform(Session& session, Change& change, const AddCurve&) {
+Status perform(Session& session, Change& change, const SplitLongestSegment&) {
   const world::Track& track = session.document.track;
   if (track.segments.empty()) {
     if (track.knots.empty()) return append_at(session, change, kFirstPosition);
@@ -126,7 +126,7 @@ Status perform(Session& session, Change& change, const RemoveKnotOrTrain& comman
   }
   const auto e = require(session, command.what, Kind::knot);
   if (!e) return e.status();
-  const world::Neighbours sides = world::neighbours(document, *e);
+  const world::KnotSegments sides = world::neighbours(document, *e);
   const bool merge = sides.before.valid() && sides.after.valid() && document.track.knots.size() > 2;
   if (merge)
     change.motion = {MotionFollowUp::Kind::merged, sides.before, sides.after,
@@ -163,7 +163,7 @@ Status perform(Session& session, Change& change, const AddTrain& command) {
   return {};
 }
 
-Status perform(Session& session, Change&, const SetName& command) {
+Status perform(Session& session, Change&, const SetTrackName& command) {
   if (const Status may = may_be_called(command.to, "name"); !may) return may;
   session.document.name = command.to;
   return {};

@@ -18,7 +18,7 @@ namespace coaster::edit {
 struct Session;
 
 // The result of judging a challenge.
-struct Verdict {
+struct ChallengeVerdict {
   int medal = 0;                // 0 not passed, 1 bronze, 2 silver, 3 gold
   std::string reason;           // why it failed: "Lateral: you have 1.40 g at 87.0 m; you need ..."; empty if it passed
   std::optional<double> place;  // m along the track, where it failed
@@ -31,7 +31,7 @@ struct ActiveChallenge {
   int hints = 0;             // number of hints shown
   int medal = 0;             // the best since it was started
   std::uint64_t judged = 0;  // number of judgements
-  Verdict last;
+  ChallengeVerdict last;
   sim::ShapeTrace shape;  // of the start track
 };
 
@@ -49,7 +49,7 @@ struct ExpressionEvaluator {
   base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
   // Judges the session's challenge, which must exist, on the present session; only findings change. `result`: how the
   // ride ended, null for JudgedWhen::build.
-  Verdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
+  ChallengeVerdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
   // Measures a goal. Code::usage if it cannot be parsed, Code::refused if its query has no value.
   base::Result<GoalState> (*measure)(Session& session, const std::string& goal) = nullptr;
 };
@@ -69,13 +69,13 @@ struct RideResult {
   bool below_top = false;       // it stopped on the way up: a lift there would take it over the top
   bool whole = true;            // the train ran from its start on this track, and `ratings` are of this ride
   sim::Ratings ratings;
-  double seconds = 0;              // from the start to the end of the ride
-  std::optional<Verdict> verdict;  // of the challenge, if there was one
-  std::uint64_t serial = 0;        // number of the result
+  double seconds = 0;                       // from the start to the end of the ride
+  std::optional<ChallengeVerdict> verdict;  // of the challenge, if there was one
+  std::uint64_t serial = 0;                 // number of the result
 };
 
 // A ride in progress.
-struct RideRun {
+struct RideInProgress {
   bool under_way = false;      // running, and its end not yet reported
   bool whole = false;          // from the start, and not moved by hand since
   std::uint64_t document = 0;  // hash at the start

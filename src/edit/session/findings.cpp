@@ -9,7 +9,7 @@
 #include "world/laboratory_settings.h"
 
 namespace coaster::world {
-using Memory = edit::FindingsMemory;
+using Memory = edit::FindingsCache;
 template HeapValue<Memory>::HeapValue();
 template HeapValue<Memory>::HeapValue(const HeapValue<Memory>&);
 template HeapValue<Memory>& HeapValue<Memory>::operator=(const HeapValue<Memory>&);
@@ -23,7 +23,7 @@ sim::ForceCache& force_plans_of(Session& session) { return session.findings->for
 const sim::ForceCache& force_plans_of(const Session& session) { return session.findings->forces; }
 sim::OpenedTrack& opened_track_of(Session& session) { return session.findings->opened; }
 
-FindingsMemory& SessionFindings::memory() const { return *session_->findings; }
+FindingsCache& SessionFindings::memory() const { return *session_->findings; }
 
 std::uint64_t SessionFindings::document_hash() const {
   return memory().document_hash.get(session_->edits, [&] { return world::hash(session_->document); });
@@ -132,7 +132,7 @@ const sim::Supports& SessionFindings::supports() const {
   memory().supports.update(session_->derived, memory().near);
   return memory().supports;
 }
-void SessionFindings::look_from(const sim::Surroundings& around) const { memory().near.look_from(around); }
+void SessionFindings::look_from(const sim::EyeSurroundings& around) const { memory().near.look_from(around); }
 
 double SessionFindings::chord_error() const {
   return memory().chord_error.get({session_->derived.last_build, session_->derived.steps},

@@ -33,13 +33,13 @@ struct OpenedTrack;
 struct Ratings;
 struct Overload;
 struct SectionTable;
-struct Surroundings;
+struct EyeSurroundings;
 struct TrackValues;
 }  // namespace coaster::sim
 
 namespace coaster::edit {
 
-struct FindingsMemory;  // edit/session/findings_memory.h
+struct FindingsCache;  // edit/session/findings_memory.h
 struct Session;
 
 // What planners and moving trains remember between two uses.
@@ -69,17 +69,17 @@ class SessionFindings {
   const sim::TrackValues& values() const;        // values that colour the track: those of the middle car
 
   // The track.
-  const sim::SectionTable& sections() const;                // figures of each; what the riders of the seat feel there
-  std::span<const sim::Conflict> conflicts() const;         // where it lacks clearance from itself, in its order
-  std::span<const sim::Conflict> conflicts_so_far() const;  // those found so far; each call searches a slice more
-  bool all_conflicts() const;                               // true if the search is complete; does not search
-  std::span<const sim::Fold> folds() const;                 // of the rails
-  std::span<const sim::Fold> tight_bends() const;           // too tight for a train, and reversals
-  std::span<const sim::FrenetBreak> breaks() const;         // of the Frenet frame
-  const sim::Supports& supports() const;                    // near the eye on very long tracks
-  void look_from(const sim::Surroundings& around) const;    // says where the eye is
-  double chord_error() const;                               // m, largest distance of a piece from its chord
-  double deviation() const;                                 // m, from the challenge's start track; 0 without one
+  const sim::SectionTable& sections() const;                 // figures of each; what the riders of the seat feel there
+  std::span<const sim::Conflict> conflicts() const;          // where it lacks clearance from itself, in its order
+  std::span<const sim::Conflict> conflicts_so_far() const;   // those found so far; each call searches a slice more
+  bool all_conflicts() const;                                // true if the search is complete; does not search
+  std::span<const sim::Fold> folds() const;                  // of the rails
+  std::span<const sim::Fold> tight_bends() const;            // too tight for a train, and reversals
+  std::span<const sim::FrenetBreak> breaks() const;          // of the Frenet frame
+  const sim::Supports& supports() const;                     // near the eye on very long tracks
+  void look_from(const sim::EyeSurroundings& around) const;  // says where the eye is
+  double chord_error() const;                                // m, largest distance of a piece from its chord
+  double deviation() const;                                  // m, from the challenge's start track; 0 without one
 
   // Plans: the palette's element at the track's open end, or another one; ways from the open end to the first knot.
   const sim::ElementPlan& element() const;
@@ -92,7 +92,7 @@ class SessionFindings {
   const sim::ForcePlan* force(world::Entity section) const;
 
  private:
-  FindingsMemory& memory() const;
+  FindingsCache& memory() const;
   const sim::Riders* riders_of(bool all) const;
   Session* session_;
 };

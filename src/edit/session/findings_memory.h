@@ -28,7 +28,7 @@
 
 namespace coaster::edit {
 
-struct FindingsMemory {
+struct FindingsCache {
   base::CachedValue<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
   sim::RideCache rides;
   // Keyed by the ride's serial, the build of the track and the envelope.

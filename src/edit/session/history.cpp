@@ -23,7 +23,7 @@ bool step_over(History& history, From& from, To& to, world::Document& document) 
 }  // namespace
 
 std::size_t bytes_of(const HistoryStep& step) {
-  return sizeof(HistoryStep) - sizeof(world::Difference) + step.text.command.capacity() +
+  return sizeof(HistoryStep) - sizeof(world::DocumentDifference) + step.text.command.capacity() +
          step.text.sentence.capacity() + world::bytes_of(step.change);
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 #include "sim/plan/force_plan.h"
 #include "sim/shape/folds.h"
 #include "sim/study/ratings.h"
@@ -58,7 +58,7 @@ std::optional<Shortfall> shortfall(const sim::SimulatedRide& simulated, const si
 
 // Sets the reason and the place of a failure. `simulated`: the ride, if it was whole.
 void explain(Session& session, const sim::SimulatedRide* simulated, RideResult& result) {
-  const world::Failure& failure = session.motion.failure;
+  const world::RideFailure& failure = session.motion.failure;
   const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
   const auto missing = simulated && climbed ? shortfall(*simulated, SessionFindings(session).tables()) : std::nullopt;
@@ -89,7 +89,7 @@ void judge(Session& session, RideResult* result) {
 
 // Ends the ride and reports it once.
 void end_ride(Session& session, RideEnd end) {
-  RideRun& run = session.game.run;
+  RideInProgress& run = session.game.run;
   run.under_way = false;
   RideResult result;
   result.end = end;
@@ -152,7 +152,7 @@ void watch_reset(Session& session) {
 }
 
 void watch_ticks(Session& session, int ticks) {
-  RideRun& run = session.game.run;
+  RideInProgress& run = session.game.run;
   if (!run.under_way) return;
   run.ticks += static_cast<std::uint64_t>(ticks);
   const bool timed = session.game.challenge && session.game.challenge->file.judged == exchange::JudgedWhen::time;

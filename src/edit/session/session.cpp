@@ -147,7 +147,7 @@ std::optional<std::string> ride_csv(const SessionFindings& find) {
 }
 
 std::string failure_text(const Session& session) {
-  const world::Failure& failure = session.motion.failure;
+  const world::RideFailure& failure = session.motion.failure;
   if (failure.kind == world::FailureKind::none) return {};
   const std::optional<RideResult>& result = session.game.result;
   if (result && result->end == RideEnd::failed && !session.game.run.under_way)

@@ -33,7 +33,7 @@ struct StepText {
 struct HistoryStep {
   StepText text;
   // On the undo stack: to the document before the step; on the redo stack: to the one after it.
-  world::Difference change;
+  world::DocumentDifference change;
 };
 
 inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;
@@ -86,14 +86,14 @@ struct ForceLimits {
 struct ChallengeState {
   ExpressionEvaluator referee;
   std::optional<ActiveChallenge> challenge;
-  RideRun run;                       // the ride in progress
+  RideInProgress run;                // the ride in progress
   std::optional<RideResult> result;  // of the last ride that ended
   bool show_result = false;          // its score card is still open
   exchange::PlayerProgress earned;   // progress in challenges since the program's start
 };
 
 // Measurements on this machine; no hash depends on them.
-struct Measuring {
+struct MeasurementState {
   sim::Clock clock;
   std::string machine;           // description of the machine, for files of measurements
   sim::Measurement measurement;  // of the evaluators; advanced by advance_measurement()
@@ -118,9 +118,9 @@ struct Session {
   std::uint64_t tick = 0;     // ticks since the program's start
   sim::DerivedTrack derived;  // derived from document and settings
   EvaluationWork evaluated;
-  world::HeapValue<FindingsMemory> findings;  // found from all of these by a Finder
+  world::HeapValue<FindingsCache> findings;  // found from all of these by a Finder
   ChallengeState game;
-  Measuring measuring;
+  MeasurementState measuring;
   Notices notices;
   std::string copied;  // copied last: sections as the text of a track, or force keys
   std::string shared;  // the last link, without the address before its fragment

@@ -84,7 +84,7 @@ int chords(const sim::SegmentShape& shape) {
 void for_each_mesh(const world::Document& document, const sim::DerivedTrack& derived, const auto& visit) {
   sim::Supports supports;
   supports.update(derived);
-  const sim::Detail detail = sim::detail_of(derived);
+  const sim::SolidsDetail detail = sim::detail_of(derived);
   sim::Mesh mesh;
   for (const world::Entity segment : document.track.segments) {
     const sim::SegmentShape& shape = derived.shape(segment);
@@ -138,7 +138,7 @@ static_assert(std::endian::native == std::endian::little, "glTF's buffers are li
 // Constants of the specification.
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 34963, kLineStrip = 3, kTriangles = 4;
 
-struct BinaryBuilder {
+struct GltfBufferBuilder {
   Json views = Json::array(), accessors = Json::array();
   std::string bytes;  // of points and triangles: three numbers each, so that base64 needs no padding
 
@@ -172,7 +172,7 @@ Json material(std::string_view name, glm::vec3 colour) {
 }
 
 // Adds the materials that it uses.
-Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid, Json& materials) {
+Json track_mesh(GltfBufferBuilder& builder, const TrackSolid& solid, Json& materials) {
   Json primitives = Json::array();
   for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;
@@ -247,7 +247,7 @@ std::string print_gltf(const world::Document& document) {
   Json file{{"asset", {{"version", "2.0"}, {"generator", "coaster"}}}, {"scene", 0}};
   Json scene{{"name", document.name}};
   if (!solid.centre_line.empty()) {
-    BinaryBuilder builder;
+    GltfBufferBuilder builder;
     Json materials = Json::array();
     const Json track = track_mesh(builder, solid, materials);
     const std::size_t line = builder.positions(solid.centre_line);

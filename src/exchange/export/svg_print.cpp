@@ -23,7 +23,7 @@ glm::vec2 plan(glm::vec3 p) { return {p.x, p.z}; }
 glm::vec2 elevation(glm::vec3 p) { return {p.x, 0.0f - p.y}; }  // never -0
 
 // Sizes in proportion to the drawing, in metres of the track.
-struct Style {
+struct DrawingSizes {
   double margin, text, line;
 };
 
@@ -86,7 +86,7 @@ struct Drawing {
 
 // Prints the label above, the drawing, and the bar with its length below. `top` is its start on the sheet.
 std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed,
-                          const Style& style, double top) {
+                          const DrawingSizes& style, double top) {
   const Extent& e = drawing.extent;
   const double x = style.margin, y = top + 2 * style.text, below = y + e.size().y + style.text,
                bar = bar_length(e.size().x);
@@ -112,7 +112,7 @@ std::string print_svg(const world::Document& document) {
   const Drawing above{"plan", "Plan (x to the right, z down)", plan, extent_of(cubics, plan)};
   const Drawing beside{"elevation", "Elevation (x to the right, y up)", elevation, extent_of(cubics, elevation)};
   const double size = std::max({above.extent.size().x, above.extent.size().y, beside.extent.size().y});
-  const Style style{size * 0.05, size * 0.025, size * 0.003};
+  const DrawingSizes style{size * 0.05, size * 0.025, size * 0.003};
   const double extra = 5 * style.text;  // label and bar
   const double width = std::max(above.extent.size().x, 20 * style.text) + 2 * style.margin;
   const double second = style.margin + above.extent.size().y + extra,

@@ -31,9 +31,9 @@ inline std::string_view content(std::string_view cell) {
 
 // Iterates over the lines of a text, numbered from 1, without line endings: LF, CRLF or CR. Skips blank lines and
 // comments: lines that start with # or //.
-class Lines {
+class LineReader {
  public:
-  explicit Lines(std::string_view text) : rest_(text) {
+  explicit LineReader(std::string_view text) : rest_(text) {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
   }
   bool next(std::string_view& line) {

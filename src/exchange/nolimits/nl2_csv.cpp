@@ -30,7 +30,7 @@ std::size_t decimals(std::string_view number) {
 }
 
 // Reads a file's numbers. The first one with decimals decides whether these follow a point or a comma.
-struct DecimalMark {
+struct DecimalReader {
   bool commas = false;  // may be decimal ones: they do not separate columns
   char mark = 0;        // '.' or ',' once known
   std::optional<double> read(std::string_view text) {
@@ -47,7 +47,7 @@ struct DecimalMark {
 };
 
 // The fewest decimals with which all numbers can be written, at most kMost.
-struct Decimals {
+struct DecimalCount {
   static constexpr int kMost = 6;
   static constexpr double kTens[]{1, 10, 100, 1e3, 1e4, 1e5, 1e6};
   int count = 0;
@@ -69,7 +69,8 @@ bool floats(std::span<const sim::FitRow> rows, int axis, double decimal_step) {
 
 // Returns the steps that the rows are rounded to, 0 for finer ones than 4 decimals: that of the decimals, or, of
 // positions, that of float numbers as large as the largest, if all of an axis are such numbers.
-sim::RowSteps row_steps(std::span<const sim::FitRow> rows, const Decimals& positions, const Decimals& directions) {
+sim::RowSteps row_steps(std::span<const sim::FitRow> rows, const DecimalCount& positions,
+                        const DecimalCount& directions) {
   const auto coarse = [](double step) { return step > 0.99e-4 ? step : 0; };  // finer steps are not felt
   double step = positions.step();
   for (int axis = 0; axis < 3; ++axis)
@@ -93,7 +94,7 @@ constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 struct Nl2CsvReader {
   static constexpr double kAnywhere = 1e9;  // m
   std::string_view name;
-  Lines lines;
+  LineReader lines;
   std::vector<sim::FitRow> rows;
   std::vector<int> row_lines;  // of each row
   std::vector<std::string> warnings;
@@ -103,8 +104,8 @@ struct Nl2CsvReader {
   std::int64_t first_number = 1;         // of the rows: 0 or 1
   std::size_t first_decimals = 0;        // the fewest decimals of the first row's numbers
   double limit = world::kMaxCoordinate;  // m, of positions
-  DecimalMark mark;
-  Decimals positions, directions;
+  DecimalReader mark;
+  DecimalCount positions, directions;
   sim::RowSteps steps;             // 0 where the rows are not rounded
   std::vector<sim::FitRow> given;  // as they are in the file, if they are rounded
   bool closed = false;             // set if they are
@@ -160,7 +161,8 @@ bool read_header(Nl2CsvReader& r, std::string_view line) {
                                             count > kColumns.size() ? "more" : std::to_string(count));
 }
 
-bool read_vector(Nl2CsvReader& r, const Cells& cells, std::size_t first, double limit, dvec3& v, Decimals& decimals) {
+bool read_vector(Nl2CsvReader& r, const Cells& cells, std::size_t first, double limit, dvec3& v,
+                 DecimalCount& decimals) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = r.mark.read(cells[i]);
@@ -178,7 +180,7 @@ bool read_vector(Nl2CsvReader& r, const Cells& cells, std::size_t first, double 
 // Makes it exactly so; Front keeps its direction.
 bool read_frame(Nl2CsvReader& r, const Cells& cells, sim::FitRow& row) {
   dvec3 front, left, up;
-  Decimals own;
+  DecimalCount own;
   if (!read_vector(r, cells, 4, 2, front, own) || !read_vector(r, cells, 7, 2, left, own) ||
       !read_vector(r, cells, 10, 2, up, own))
     return false;
@@ -348,7 +350,7 @@ void print_row(std::string& out, std::size_t number, dvec3 position, const curve
 }  // namespace
 
 bool starts_far(std::string_view text) {
-  Nl2CsvReader r{.name = {}, .lines = Lines(text), .limit = Nl2CsvReader::kAnywhere};
+  Nl2CsvReader r{.name = {}, .lines = LineReader(text), .limit = Nl2CsvReader::kAnywhere};
   std::string_view line;
   if (!r.lines.next(line) || !read_first_line(r, line)) return false;
   if (r.rows.empty() && !(r.lines.next(line) && read_row(r, line))) return false;
@@ -356,7 +358,7 @@ bool starts_far(std::string_view text) {
 }
 
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, bool origin) {
-  Nl2CsvReader r{.name = name, .lines = Lines(text)};
+  Nl2CsvReader r{.name = name, .lines = LineReader(text)};
   if (origin) r.limit = Nl2CsvReader::kAnywhere;
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
   const bool rounded = r.steps.rounded(), closed = rounded ? r.closed : sim::rows_close(r.rows);

@@ -68,7 +68,7 @@ constexpr double kTurn = 2 * base::kPi;
 constexpr double kLeastStep = 0.01;  // m between points of the spline
 
 // A position that may become a knot.
-struct Candidate {
+struct KnotCandidate {
   KnotPosition stop;  // its `up` is that of its roll, if there is one
   bool knot = false, strict = false;
   double off = 0;  // m from the position to its roll
@@ -77,21 +77,22 @@ struct Candidate {
   double rate = 0;      // rad/m, of the spline
 };
 
-void give_roll(Candidate& to, const ElementRoll& roll, double off) {
+void give_roll(KnotCandidate& to, const ElementRoll& roll, double off) {
   if (!to.stop.up || std::abs(off) < std::abs(to.off)) to.stop.up = roll.up, to.strict = roll.strict, to.off = off;
 }
 
 // Returns the start of every piece, the rolls between, and the end; rolls near a knot go to it.
-std::vector<Candidate> candidates_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls,
-                                     const std::vector<curve::ArcLengthMap>& arcs, const std::vector<double>& starts) {
+std::vector<KnotCandidate> candidates_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls,
+                                         const std::vector<curve::ArcLengthMap>& arcs,
+                                         const std::vector<double>& starts) {
   std::stable_sort(rolls.begin(), rolls.end(),
                    [](const ElementRoll& a, const ElementRoll& b) { return a.coord < b.coord; });
-  std::vector<Candidate> all;
+  std::vector<KnotCandidate> all;
   std::size_t next = 0;
   double last_roll = -kRollApart;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     // The piece's last roll may belong to its end, which has no candidate yet.
-    Candidate start{{i, 0, starts[i], {}, 0}, true, false, 0, {}};
+    KnotCandidate start{{i, 0, starts[i], {}, 0}, true, false, 0, {}};
     if (next > 0) {
       const double off = rolls[next - 1].coord * starts.back() - starts[i];
       if (off > -kRollSnap) give_roll(start, rolls[next - 1], off);
@@ -107,12 +108,12 @@ std::vector<Candidate> candidates_of(std::span<const Bezier> pieces, bool closed
       last_roll = s;
     }
   }
-  Candidate end{{pieces.size() - 1, 1, starts.back(), {}, 0}, true, false, 0, {}};
+  KnotCandidate end{{pieces.size() - 1, 1, starts.back(), {}, 0}, true, false, 0, {}};
   for (std::size_t k = rolls.size(); k-- > 0;)
     if (const double off = (rolls[k].coord - 1) * starts.back(); off > -kRollSnap) give_roll(end, rolls[k], off);
     else break;
   if (closed) {
-    Candidate& first = all.front();
+    KnotCandidate& first = all.front();
     if (end.stop.up && (!first.stop.up || -end.off < first.off)) first.stop.up = end.stop.up;
     end.stop.up = first.stop.up, first.off = end.off = 0;
   }
@@ -121,10 +122,10 @@ std::vector<Candidate> candidates_of(std::span<const Bezier> pieces, bool closed
 }
 
 // Adds candidates without a roll between the others, where the track is compared with the spline.
-std::vector<Candidate> sampled(const std::vector<Candidate>& all, const std::vector<curve::ArcLengthMap>& arcs,
-                               const std::vector<double>& starts) {
+std::vector<KnotCandidate> sampled(const std::vector<KnotCandidate>& all, const std::vector<curve::ArcLengthMap>& arcs,
+                                   const std::vector<double>& starts) {
   constexpr int kParts = 4;
-  std::vector<Candidate> more;
+  std::vector<KnotCandidate> more;
   for (std::size_t i = 0; i < all.size(); ++i) {
     more.push_back(all[i]);
     const KnotPosition& from = all[i].stop;
@@ -139,7 +140,7 @@ std::vector<Candidate> sampled(const std::vector<Candidate>& all, const std::vec
 }
 
 // Carries a rotation-minimising frame from the start of the track through all candidates.
-void carry_frames(std::span<const Bezier> pieces, std::vector<Candidate>& all) {
+void carry_frames(std::span<const Bezier> pieces, std::vector<KnotCandidate>& all) {
   const dvec3 first = start_direction(pieces[0]);
   all.front().carried = {first, curve::perpendicular(first, {0, 1, 0})};
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -159,9 +160,9 @@ void carry_frames(std::span<const Bezier> pieces, std::vector<Candidate>& all) {
 }
 
 // Returns the spline through the rolls, each angle the nearest to the one before by whole turns.
-RollSpline spline_of(const std::vector<Candidate>& all, bool closed) {
+RollSpline spline_of(const std::vector<KnotCandidate>& all, bool closed) {
   std::vector<RollPoint> points;
-  for (const Candidate& c : all) {
+  for (const KnotCandidate& c : all) {
     if (!c.stop.up || (!points.empty() && c.stop.s + c.off - points.back().s < kLeastStep)) continue;
     double value =
         curve::signed_angle(c.carried.up, curve::perpendicular(c.carried.forward, *c.stop.up), c.carried.forward);
@@ -184,7 +185,7 @@ RollSpline spline_of(const std::vector<Candidate>& all, bool closed) {
 
 // Returns the roll between neighbouring stops among `at`, with the spins that match the candidates between them by
 // least squares, weakly drawn to the spline's rates.
-std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const std::vector<std::size_t>& at,
+std::vector<sim::Roll> rolls_between(const std::vector<KnotCandidate>& all, const std::vector<std::size_t>& at,
                                      bool closed) {
   constexpr double kPull = 1e-4;
   std::vector<sim::Roll> rolls;
@@ -214,13 +215,13 @@ std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const st
 }
 
 // The candidate between two stops with the largest error, if there is any.
-struct Miss {
+struct WorstCandidate {
   std::size_t at = 0;
   double off = 0;  // rad; 0: all match
 };
-Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b, const sim::Roll& roll) {
+WorstCandidate worst_miss(const std::vector<KnotCandidate>& all, std::size_t a, std::size_t b, const sim::Roll& roll) {
   if (b - a > 1 && std::abs(roll.twist) > kTurn * (world::kMaxTurns - 1)) return {(a + b) / 2, kTurn};
-  Miss worst;
+  WorstCandidate worst;
   for (std::size_t i = a + 1; i < b; ++i) {
     const double angle = all[a].stop.angle + roll.angle(all[i].stop.s - all[a].stop.s);
     const double off = std::abs(angle - all[i].stop.angle);
@@ -231,7 +232,7 @@ Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b,
 
 // Returns the roll nearest to a miss among those between two stops; the miss itself if there is none. Stops at rolls
 // follow the spline exactly.
-std::size_t roll_at(const std::vector<Candidate>& all, std::size_t miss, std::size_t low, std::size_t high) {
+std::size_t roll_at(const std::vector<KnotCandidate>& all, std::size_t miss, std::size_t low, std::size_t high) {
   for (std::size_t d = 0; miss >= low + d || miss + d <= high; ++d)
     for (const std::size_t i : {miss >= low + d ? miss - d : miss, std::min(miss + d, high)})
       if (all[i].rolled && !all[i].knot) return i;
@@ -240,14 +241,14 @@ std::size_t roll_at(const std::vector<Candidate>& all, std::size_t miss, std::si
 
 // Makes knots of rolls until the track matches all candidates. Of neighbouring spans with errors only the worst is
 // divided, because spins that fit it better may correct the others.
-void choose_knots(std::vector<Candidate>& all, bool closed) {
+void choose_knots(std::vector<KnotCandidate>& all, bool closed) {
   for (bool changed = true; changed;) {
     changed = false;
     std::vector<std::size_t> at;
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].knot) at.push_back(i);
     const std::vector<sim::Roll> rolls = rolls_between(all, at, closed);
-    std::vector<Miss> misses;
+    std::vector<WorstCandidate> misses;
     for (std::size_t k = 0; k < rolls.size(); ++k) {
       misses.push_back(worst_miss(all, at[k], at[k + 1], rolls[k]));
       all[at[k]].stop.spin = rolls[k].from, all[at[k + 1]].stop.spin = rolls[k].to;
@@ -317,12 +318,12 @@ std::vector<KnotPosition> stops_of(std::span<const Bezier> pieces, bool closed, 
     starts.push_back(starts.back() + arcs.back().length());
   }
   const bool rolled = !rolls.empty();
-  std::vector<Candidate> all = candidates_of(pieces, closed, std::move(rolls), arcs, starts);
+  std::vector<KnotCandidate> all = candidates_of(pieces, closed, std::move(rolls), arcs, starts);
   if (rolled) {
     all = sampled(all, arcs, starts);
     carry_frames(pieces, all);
     const RollSpline spline = spline_of(all, closed);
-    for (Candidate& c : all) {
+    for (KnotCandidate& c : all) {
       c.rolled = c.stop.up.has_value();
       const RollSpline::Value roll = spline.at(c.stop.s);
       c.stop.angle = roll.angle, c.rate = roll.rate;
@@ -331,7 +332,7 @@ std::vector<KnotPosition> stops_of(std::span<const Bezier> pieces, bool closed, 
     choose_knots(all, closed);
   }
   std::vector<KnotPosition> stops;
-  for (const Candidate& c : all)
+  for (const KnotCandidate& c : all)
     if (c.knot) stops.push_back(c.stop);
   return stops;
 }

@@ -176,7 +176,7 @@ constexpr float kOneKnot = 1e-3f;    // m: closer knots are one
 constexpr int kHorizonSteps = 64;    // per segment, to follow the horizon's rotation relative to the frame
 
 // Changes that were needed to fit a document.
-struct Changes {
+struct KnotAdjustments {
   std::size_t lengthened = 0, straightened = 0, repeated = 0;
   double largest_turn = 0;                          // rad
   std::size_t turned_most = 0, repeated_first = 0;  // numbers of knots in the file, counted from 1
@@ -184,7 +184,7 @@ struct Changes {
 
 // Makes one of neighbouring knots at the same place, with the in-handle of the first and the out-handle of the last:
 // between them the track would lead out and back. On a closed track the last knot may repeat the first.
-std::vector<NltrackKnot> without_repeats(const std::vector<NltrackKnot>& all, bool closed, Changes& changes) {
+std::vector<NltrackKnot> without_repeats(const std::vector<NltrackKnot>& all, bool closed, KnotAdjustments& changes) {
   const auto same = [](const NltrackKnot& a, const NltrackKnot& b) {
     return glm::distance(a.point, b.point) < kOneKnot;
   };
@@ -210,7 +210,7 @@ dvec3 between_neighbours(const std::vector<NltrackKnot>& records, std::size_t i,
 }
 
 base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<NltrackKnot>& records, std::size_t i,
-                                    bool closed, Changes& changes) {
+                                    bool closed, KnotAdjustments& changes) {
   const NltrackKnot& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
   dvec3 in = dvec3(r.point) - dvec3(r.in), out = dvec3(r.out) - dvec3(r.point);
@@ -336,7 +336,7 @@ ImportReport report_of(const world::Document& document, const std::vector<Nltrac
   return report;
 }
 
-std::vector<std::string> warnings_of(const Changes& changes) {
+std::vector<std::string> warnings_of(const KnotAdjustments& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
     warnings.push_back(fmt::format("{} handles shorter than {} m were lengthened to it", changes.lengthened,
@@ -359,7 +359,7 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   const auto file = read_nltrack(reader);
   if (!file) return file.status();
   const bool closed = file->closed;
-  Changes changes;
+  KnotAdjustments changes;
   const std::vector<NltrackKnot> records = without_repeats(file->knots, closed, changes);
   if (records.size() < 2) return reader.fail(records[0].offset, "expected knots at different places, found one");
 

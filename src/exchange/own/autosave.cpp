@@ -44,7 +44,7 @@ std::string print_info(const std::filesystem::path& track, const world::Document
 }  // namespace
 
 base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name) {
-  return read_object<AutosaveInfo>(text, name, [](Fields& fields, AutosaveInfo& info) {
+  return read_object<AutosaveInfo>(text, name, [](JsonFieldReader& fields, AutosaveInfo& info) {
     constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
     std::string track;
     std::int64_t pid = 0;

@@ -9,7 +9,7 @@
 namespace coaster::exchange {
 namespace {
 
-bool read_value(Fields& fields, BestValue& best) {
+bool read_value(JsonFieldReader& fields, BestValue& best) {
   std::string better;
   constexpr double kLargest = std::numeric_limits<double>::max();
   if (!fields.text("query", best.query) || !fields.number("value", best.value, -kLargest, kLargest) ||
@@ -19,13 +19,13 @@ bool read_value(Fields& fields, BestValue& best) {
   return best.less_is_better || better == "more" || fields.reject("better", "\"less\" or \"more\"");
 }
 
-bool read_entry(Fields& fields, PlayerProgress& progress) {
+bool read_entry(JsonFieldReader& fields, PlayerProgress& progress) {
   ChallengeProgress entry;
   std::int64_t medal = 0;
   if (!fields.text("challenge", entry.challenge) || !fields.whole("medal", medal, 0, kMostMedals)) return false;
   entry.medal = static_cast<int>(medal);
   if (entry.challenge.empty() || find(progress, entry.challenge)) return fields.reject("challenge", "a unique name");
-  const auto read_best = [&](Fields& value, auto) { return read_value(value, entry.best.emplace_back()); };
+  const auto read_best = [&](JsonFieldReader& value, auto) { return read_value(value, entry.best.emplace_back()); };
   if (!fields.each("best", kMaxProgressValues, read_best)) return false;
   progress.challenges.push_back(std::move(entry));
   return true;
@@ -34,10 +34,10 @@ bool read_entry(Fields& fields, PlayerProgress& progress) {
 }  // namespace
 
 base::Result<PlayerProgress> parse_progress(std::string_view text, std::string_view name) {
-  return read_object<PlayerProgress>(text, name, [](Fields& fields, PlayerProgress& progress) {
+  return read_object<PlayerProgress>(text, name, [](JsonFieldReader& fields, PlayerProgress& progress) {
     return fields.head(kProgressFormat, kProgressVersion) &&
            fields.each("challenges", kMaxProgressEntries,
-                       [&](Fields& entry, auto) { return read_entry(entry, progress); });
+                       [&](JsonFieldReader& entry, auto) { return read_entry(entry, progress); });
   });
 }
 

@@ -10,7 +10,7 @@
 namespace coaster::exchange {
 namespace {
 
-bool read_head(Fields& fields, LoadedForceLimits& to) {
+bool read_head(JsonFieldReader& fields, LoadedForceLimits& to) {
   std::string note;
   if (!fields.head(kEnvelopeFormat, kEnvelopeVersion) || (fields.has("note") && !fields.text("note", note)) ||
       !fields.text("name", to.name))
@@ -21,7 +21,7 @@ bool read_head(Fields& fields, LoadedForceLimits& to) {
          fields.number("cutoff", to.envelope.cutoff, kMinCutoff, kMaxCutoff);
 }
 
-bool read_point(Fields& fields, sim::EnvelopeCurve& curve, std::vector<std::string>& warnings) {
+bool read_point(JsonFieldReader& fields, sim::EnvelopeCurve& curve, std::vector<std::string>& warnings) {
   sim::ForceLimitPoint point{0, 0};
   if (!fields.number("seconds", point.seconds, 0, kMaxEnvelopeSeconds) ||
       !fields.number("g", point.g, 0, kMaxEnvelopeG))
@@ -34,11 +34,12 @@ bool read_point(Fields& fields, sim::EnvelopeCurve& curve, std::vector<std::stri
   return true;
 }
 
-bool read_envelope(Fields& fields, LoadedForceLimits& to) {
+bool read_envelope(JsonFieldReader& fields, LoadedForceLimits& to) {
   if (!read_head(fields, to)) return false;
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis)
-    if (!fields.each(base::name_of(static_cast<sim::ForceAxis>(axis)), kMaxEnvelopePoints,
-                     [&](Fields& point, auto) { return read_point(point, to.envelope.curves[axis], to.warnings); }))
+    if (!fields.each(
+            base::name_of(static_cast<sim::ForceAxis>(axis)), kMaxEnvelopePoints,
+            [&](JsonFieldReader& point, auto) { return read_point(point, to.envelope.curves[axis], to.warnings); }))
       return false;
   fields.unknown(to.warnings);
   return true;

@@ -17,7 +17,7 @@ inline constexpr base::NameRow kImportBanks[] = {
     {"auto", "Auto-bank", "Banks each knot until riders feel no lateral g."}};
 constexpr std::span<const base::NameRow> rows_of(ImportBank) { return kImportBanks; }
 
-struct Import {
+struct ImportOptions {
   std::optional<world::Axis> up;        // of the file; nothing: as proposed for the points
   std::optional<double> scale, smooth;  // metres a unit, nothing: as proposed; m, nothing: through every point
   std::optional<ImportBank> bank;       // nothing: level
@@ -27,7 +27,7 @@ struct Import {
     visit("up", self.up), visit("scale", self.scale), visit("smooth", self.smooth), visit("bank", self.bank);
     visit("origin", self.origin);
   }
-  friend bool operator==(const Import&, const Import&) = default;
+  friend bool operator==(const ImportOptions&, const ImportOptions&) = default;
 };
 
 inline constexpr double kFar = 10'000;  // m: further from the origin, float positions round to 1 mm or more

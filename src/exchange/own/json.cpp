@@ -8,8 +8,8 @@
 
 #include "base/cancellable_job.h"
 #include "base/text.h"
+#include "exchange/own/json_output.h"
 #include "exchange/own/json_scan.h"
-#include "exchange/own/json_values.h"
 
 namespace coaster::exchange {
 namespace {
@@ -36,9 +36,9 @@ std::string at_byte(std::string_view text, std::size_t offset, std::string_view 
 }
 
 // Receives the parser's events and builds the tree. Every function returns whether to continue.
-class Builder {
+class JsonTreeBuilder {
  public:
-  Builder(std::string_view text, std::string_view name, const TakeElement& take, std::size_t most_values)
+  JsonTreeBuilder(std::string_view text, std::string_view name, const TakeElement& take, std::size_t most_values)
       : text_(text), name_(name), take_(take), most_values_(most_values) {}
 
   Json root;
@@ -195,11 +195,11 @@ base::Result<Json> read_json(std::string_view text, std::string_view name, const
     return base::Status{base::Code::bad_file,
                         at_byte(text, text.size(), name, "the file is empty; expected a JSON object")};
   {
-    Builder plain(text, name, take, most_values);
+    JsonTreeBuilder plain(text, name, take, most_values);
     if (scan_json(text, plain)) return std::move(plain.root);
     if (!plain.error.empty()) return base::Status{base::Code::bad_file, std::move(plain.error)};
   }
-  Builder builder(text, name, take, most_values);
+  JsonTreeBuilder builder(text, name, take, most_values);
   if (!Json::sax_parse(text.begin(), text.end(), &builder))
     return base::Status{base::Code::bad_file, std::move(builder.error)};
   return std::move(builder.root);
@@ -213,14 +213,15 @@ std::string describe(const Json& value) {
 
 std::string JsonLocation::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
 
-Fields::Fields(const Json& value, JsonLocation place, std::string& error) : place_(place), error_(error) {
+JsonFieldReader::JsonFieldReader(const Json& value, JsonLocation place, std::string& error)
+    : place_(place), error_(error) {
   constexpr std::size_t kUsual = 8;
   known_.reserve(kUsual);
   if (value.is_object()) object_ = &value;
   else fail({}, "expected an object, found " + describe(value));
 }
 
-bool Fields::fail(std::string_view member, std::string_view message) {
+bool JsonFieldReader::fail(std::string_view member, std::string_view message) {
   if (!error_.empty()) return false;  // only the first error is kept
   error_ = place_.text();
   if (!error_.empty() && !member.empty()) error_ += ".";
@@ -230,13 +231,13 @@ bool Fields::fail(std::string_view member, std::string_view message) {
   return false;
 }
 
-bool Fields::reject(std::string_view name, std::string_view expected) {
+bool JsonFieldReader::reject(std::string_view name, std::string_view expected) {
   const auto it = object_->find(std::string(name));
   const std::string found = it == object_->end() ? "nothing" : describe(*it);
   return fail(name, fmt::format("expected {}, found {}", expected, found));
 }
 
-bool Fields::head(std::string_view format, std::int32_t newest, int* version_found) {
+bool JsonFieldReader::head(std::string_view format, std::int32_t newest, int* version_found) {
   std::string found;
   std::int64_t version = 0;
   if (!text("format", found)) return false;
@@ -248,40 +249,40 @@ bool Fields::head(std::string_view format, std::int32_t newest, int* version_fou
   return true;
 }
 
-const Json* Fields::look(std::string_view name) {
+const Json* JsonFieldReader::look(std::string_view name) {
   if (!object_) return nullptr;
   known_.push_back(name);
   const auto it = object_->find(std::string(name));
   return it == object_->end() ? nullptr : &*it;
 }
 
-bool Fields::expect(std::string_view name, const Json* found, std::string_view expected) {
+bool JsonFieldReader::expect(std::string_view name, const Json* found, std::string_view expected) {
   if (!object_) return false;
   return found ? reject(name, expected) : fail(name, fmt::format("missing; expected {}", expected));
 }
 
-const Json* Fields::member(std::string_view name, std::string_view expected, Kind kind) {
+const Json* JsonFieldReader::member(std::string_view name, std::string_view expected, Kind kind) {
   const Json* const m = look(name);
   if (m && (m->*kind)()) return m;
   expect(name, m, expected);
   return nullptr;
 }
 
-bool Fields::has(std::string_view name) const { return object_ && object_->contains(std::string(name)); }
+bool JsonFieldReader::has(std::string_view name) const { return object_ && object_->contains(std::string(name)); }
 
-bool Fields::text(std::string_view name, std::string& value) {
+bool JsonFieldReader::text(std::string_view name, std::string& value) {
   const Json* const m = member(name, "a text", &Json::is_string);
   if (m) value = m->get_ref<const std::string&>();
   return m != nullptr;
 }
 
-bool Fields::flag(std::string_view name, bool& value) {
+bool JsonFieldReader::flag(std::string_view name, bool& value) {
   const Json* const m = member(name, "true or false", &Json::is_boolean);
   if (m) value = m->get<bool>();
   return m != nullptr;
 }
 
-bool Fields::number(std::string_view name, double& value, double low, double high) {
+bool JsonFieldReader::number(std::string_view name, double& value, double low, double high) {
   const Json* const m = look(name);
   if (m && m->is_number()) {
     value = m->get<double>();
@@ -290,7 +291,7 @@ bool Fields::number(std::string_view name, double& value, double low, double hig
   return expect(name, m, fmt::format("a number from {} to {}", limit_text(low), limit_text(high)));
 }
 
-bool Fields::length(std::string_view name, float& value, float low, float high) {
+bool JsonFieldReader::length(std::string_view name, float& value, float low, float high) {
   const Json* const m = look(name);
   if (m && m->is_number()) {
     // Compared as float: 0.01 in the file means the value of 0.01f.
@@ -305,7 +306,7 @@ bool Fields::length(std::string_view name, float& value, float low, float high) 
                         : fmt::format("a length from {} to {} m", limit_text(low), limit_text(high)));
 }
 
-bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
+bool JsonFieldReader::whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
   const Json* const m = look(name);
   // Unsigned values beyond the signed range would become negative.
   const bool fits = m && m->is_number_integer() &&
@@ -317,7 +318,7 @@ bool Fields::whole(std::string_view name, std::int64_t& value, std::int64_t low,
   return expect(name, m, fmt::format("a whole number from {} to {}", low, high));
 }
 
-bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
+bool JsonFieldReader::vector(std::string_view name, glm::dvec3& value, double limit) {
   const Json* const m = member(name, "3 finite numbers", &Json::is_array);
   if (!m) return false;
   if (m->size() != 3) return reject(name, "3 finite numbers");
@@ -334,16 +335,16 @@ bool Fields::vector(std::string_view name, glm::dvec3& value, double limit) {
   return true;
 }
 
-const Json* Fields::object(std::string_view name) { return member(name, "an object", &Json::is_object); }
+const Json* JsonFieldReader::object(std::string_view name) { return member(name, "an object", &Json::is_object); }
 
-const Json* Fields::list(std::string_view name, std::size_t most) {
+const Json* JsonFieldReader::list(std::string_view name, std::size_t most) {
   const Json* const m = member(name, "an array", &Json::is_array);
   if (!m || m->size() <= most) return m;
   fail(name, fmt::format("more than the limit of {}", most));
   return nullptr;
 }
 
-std::string Fields::unknown(std::vector<std::string>& warnings) const {
+std::string JsonFieldReader::unknown(std::vector<std::string>& warnings) const {
   if (!object_) return {};
   Json extra = Json::object();
   auto& members = static_cast<Json::object_t::Container&>(extra.get_ref<Json::object_t&>());

@@ -65,9 +65,9 @@ struct JsonLocation {
 
 // Every getter fills `value` and returns true, or sets `error` to "PLACE.MEMBER: expected ..., found ..." and returns
 // false. Members are required: test optional ones with has() first. Members that are never read are the unknown ones.
-class Fields {
+class JsonFieldReader {
  public:
-  Fields(const Json& value, JsonLocation place, std::string& error);
+  JsonFieldReader(const Json& value, JsonLocation place, std::string& error);
 
   bool has(std::string_view member) const;
   bool has_object(std::string_view member) const { return has(member) && (*object_)[std::string(member)].is_object(); }
@@ -95,7 +95,7 @@ class Fields {
     const Json* const entries = list(member, most);
     const std::string at = place_.list.empty() ? std::string(member) : fmt::format("{}.{}", place_.text(), member);
     for (std::size_t i = 0; entries && i < entries->size(); ++i)
-      if (Fields entry((*entries)[i], {at, i}, error_); !entry.object_ || !read(entry, i)) return false;
+      if (JsonFieldReader entry((*entries)[i], {at, i}, error_); !entry.object_ || !read(entry, i)) return false;
     return entries != nullptr;
   }
   // Returns the object of that name, or null after a failure.
@@ -134,7 +134,7 @@ base::Result<Value> read_object(std::string_view text, std::string_view name, Re
   if (!tree) return tree.status();
   Value value;
   std::string error;
-  if (Fields fields(*tree, {}, error); error.empty()) (void)read(fields, value);
+  if (JsonFieldReader fields(*tree, {}, error); error.empty()) (void)read(fields, value);
   if (!error.empty()) return bad_file(name, error);
   return value;
 }

@@ -115,9 +115,9 @@ Json print_window(const UserSettings& s) {
 
 bool read_keys(const Json& value, UserSettings& to) {
   if (!value.is_object() || value.size() > 1000) return false;
-  std::vector<KeyChoice> keys;
+  std::vector<KeyBinding> keys;
   for (const auto& [action, chosen] : value.items()) {
-    KeyChoice choice{action, {}};
+    KeyBinding choice{action, {}};
     if (chosen.is_string()) {
       choice.keys.push_back(chosen.get<std::string>());
     } else if (!read(chosen, choice.keys, 2)) {
@@ -131,7 +131,7 @@ bool read_keys(const Json& value, UserSettings& to) {
 }
 Json print_keys(const UserSettings& s) {
   Json keys = Json::object();
-  for (const KeyChoice& choice : s.keys)
+  for (const KeyBinding& choice : s.keys)
     keys[choice.action] = choice.keys.size() == 1 ? Json(choice.keys[0])
                           : choice.keys.empty()   ? Json("")
                                                   : Json(choice.keys);
@@ -143,7 +143,7 @@ const std::vector<Member>& members() {
   static const std::vector<Member> all = [] {
     std::vector<Member> made;
     const auto add_group = [&]<class Group>(std::type_identity<Group>) {
-      if constexpr (std::is_same_v<Group, world::Aids>) {
+      if constexpr (std::is_same_v<Group, world::EditingAids>) {
         made.push_back({"autosave_seconds", "a number from 5 to 3600",
                         [](const Json& value, UserSettings& to) {
                           return read(value, kMinAutosave, kMaxAutosave, to.autosave_seconds);

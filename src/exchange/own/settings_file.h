@@ -26,10 +26,10 @@ struct WindowPlace {
 };
 
 // Keys that replace those of an action: none, one or two, such as "Ctrl+Z".
-struct KeyChoice {
+struct KeyBinding {
   std::string action;
   std::vector<std::string> keys;
-  friend bool operator==(const KeyChoice&, const KeyChoice&) = default;
+  friend bool operator==(const KeyBinding&, const KeyBinding&) = default;
 };
 
 struct UserSettings {
@@ -39,7 +39,7 @@ struct UserSettings {
   std::optional<WindowPlace> window;  // none: the window system decides
   std::vector<std::string> recent;    // files, newest first, at most kMaxRecent
   bool start_screen = true;           // whether it opens when no track is given
-  std::vector<KeyChoice> keys;        // as written, including names of unknown actions
+  std::vector<KeyBinding> keys;       // as written, including names of unknown actions
   std::string others;                 // unknown members, as the text of a JSON object; "" without any
   friend bool operator==(const UserSettings&, const UserSettings&) = default;
 };

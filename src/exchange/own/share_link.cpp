@@ -66,11 +66,11 @@ base::Result<std::string> inflate_raw(std::string_view bytes, std::size_t most_b
 constexpr std::string_view kMark = "#coaster=", kName = "link";
 
 // The version and the packed text of a fragment.
-struct Parts {
+struct LinkParts {
   std::string_view version, packed;
 };
 
-std::optional<Parts> parts_of(std::string_view text) {
+std::optional<LinkParts> parts_of(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
   while (!text.empty() && kBlanks.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
   const std::size_t mark = text.find(kMark);
@@ -78,7 +78,7 @@ std::optional<Parts> parts_of(std::string_view text) {
   const std::string_view rest = text.substr(mark + kMark.size());
   const std::size_t dot = rest.find_first_not_of("0123456789");
   if (dot == 0 || dot == std::string_view::npos || rest[dot] != '.') return std::nullopt;
-  return Parts{rest.substr(0, dot), rest.substr(dot + 1)};
+  return LinkParts{rest.substr(0, dot), rest.substr(dot + 1)};
 }
 
 Json vector_of(glm::vec3 v) { return Json::array({double{v.x}, double{v.y}, double{v.z}}); }
@@ -100,13 +100,13 @@ std::string print_view(const world::Document& document, const SharedView& view) 
                     {"resolution", view.steps}}) +
          "\n";
 }
-bool real(Fields& fields, std::string_view member, float& value, float low, float high) {
+bool real(JsonFieldReader& fields, std::string_view member, float& value, float low, float high) {
   double wide = 0;
   if (!fields.number(member, wide, low, high)) return false;
   value = static_cast<float>(wide);
   return true;
 }
-bool place(Fields& fields, std::string_view member, glm::vec3& value) {
+bool place(JsonFieldReader& fields, std::string_view member, glm::vec3& value) {
   glm::dvec3 wide(0);
   if (!fields.vector(member, wide, world::kMaxCoordinate)) return false;
   value = glm::vec3(wide);
@@ -116,7 +116,7 @@ bool place(Fields& fields, std::string_view member, glm::vec3& value) {
 // Fills view and hash, or sets `error`. The caller clamps the view to the cameras' limits.
 bool read_view(const Json& tree, SharedView& view, std::string& hash, std::string& error) {
   constexpr float kTurn = 360, kFarthest = 1e6f;
-  Fields fields(tree, {}, error);
+  JsonFieldReader fields(tree, {}, error);
   world::Camera& orbit = view.camera;
   std::int64_t steps = 0;
   const bool read =
@@ -174,7 +174,7 @@ std::string print_link(const world::Document& document, const SharedView& view) 
 bool is_link(std::string_view text) { return parts_of(text).has_value(); }
 
 base::Result<LoadedTrack> parse_link(std::string_view text) {
-  const std::optional<Parts> parts = parts_of(text);
+  const std::optional<LinkParts> parts = parts_of(text);
   if (!parts) return bad_file(kName, "expected an address with #coaster=1. and a packed track");
   if (parts->version != std::to_string(kLinkVersion))
     return bad_file(

@@ -71,13 +71,13 @@ std::string name_of_file(std::string_view path);
 
 // Keys of one channel on the clipboard: `{"force-keys": "time", "keys": [[0, 1], [20, 3.5, 0.1, 5, 8]]}`, those of
 // curvature with `"of": "curvature"`.
-struct CopiedKeys {
+struct CopiedForceKeys {
   world::ForceDomain over{};
   std::vector<world::ForceKey> keys;  // ascending, at least one
   world::ForceQuantity of{};
 };
-std::string print_keys(const CopiedKeys& copied);
+std::string print_keys(const CopiedForceKeys& copied);
 // Returns the keys, or the error in the text.
-base::Result<CopiedKeys> parse_keys(std::string_view text);
+base::Result<CopiedForceKeys> parse_keys(std::string_view text);
 
 }  // namespace coaster::exchange

@@ -61,7 +61,7 @@ std::string quoted_id(world::Kind kind, std::uint32_t number) {
 }
 
 // Reads a member that names an entity: "k3".
-bool read_id(Fields& fields, std::string_view member, world::Kind kind, std::uint32_t& number) {
+bool read_id(JsonFieldReader& fields, std::string_view member, world::Kind kind, std::uint32_t& number) {
   std::string text;
   if (!fields.text(member, text)) return false;
   const auto name = world::parse_name(text);
@@ -72,7 +72,7 @@ bool read_id(Fields& fields, std::string_view member, world::Kind kind, std::uin
 }
 
 // Reads a unit vector: any vector with a direction is normalised before it is rounded.
-bool read_direction(Fields& fields, std::string_view member, glm::vec3& value) {
+bool read_direction(JsonFieldReader& fields, std::string_view member, glm::vec3& value) {
   constexpr double kAny = 1e30;  // squares stay finite
   glm::dvec3 v;
   if (!fields.vector(member, v, kAny)) return false;
@@ -83,7 +83,7 @@ bool read_direction(Fields& fields, std::string_view member, glm::vec3& value) {
 
 // Reads the value of one field, within its limits.
 template <class T>
-bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T& value) {
+bool read_value(TrackParse& parse, JsonFieldReader& fields, const world::Field& field, T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     return fields.flag(field.name, value);
   } else if constexpr (std::is_same_v<T, double>) {
@@ -119,13 +119,13 @@ bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T&
 
 // Reads the fields of a component, in order. Optional fields that are missing keep their default values.
 template <class T>
-bool read_component(TrackParse& parse, Fields& fields, T& component) {
+bool read_component(TrackParse& parse, JsonFieldReader& fields, T& component) {
   bool good = true;
   T::fields([&](const world::Field& field, auto member) {
     auto& value = component.*member;
     if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) {
       good = good && read_component(parse, fields, value);
-    } else if (good && (field.in_file == world::InFile::required || fields.has(field.name))) {
+    } else if (good && (field.in_file == world::FilePresence::required || fields.has(field.name))) {
       good = read_value(parse, fields, field, value);
     }
   });
@@ -144,7 +144,7 @@ std::vector<std::string> kinds() {
   return names;
 }
 
-bool read_side(Fields& fields, world::Element& element) {
+bool read_side(JsonFieldReader& fields, world::Element& element) {
   if (!fields.has("side")) return true;
   std::string side;
   if (!fields.text("side", side)) return false;
@@ -152,7 +152,7 @@ bool read_side(Fields& fields, world::Element& element) {
   return element.right || side == "left" || fields.reject("side", R"("left" or "right")");
 }
 
-bool read_choice(Fields& fields, const world::ElementParameter& parameter, double& value) {
+bool read_choice(JsonFieldReader& fields, const world::ElementParameter& parameter, double& value) {
   std::string name;
   if (!fields.text(parameter.name, name)) return false;
   const std::vector<std::string> names = base::names_in(parameter.names);
@@ -162,7 +162,7 @@ bool read_choice(Fields& fields, const world::ElementParameter& parameter, doubl
   return true;
 }
 
-bool read_parameters(Fields& fields, world::Element& element) {
+bool read_parameters(JsonFieldReader& fields, world::Element& element) {
   const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const world::ElementParameter& parameter = parameters[i];
@@ -178,7 +178,7 @@ bool read_parameters(Fields& fields, world::Element& element) {
   return true;
 }
 
-bool read_kind(Fields& fields, world::Section& section) {
+bool read_kind(JsonFieldReader& fields, world::Section& section) {
   std::string kind;
   if (!fields.text("kind", kind)) return false;
   for (const world::SectionKind own : kOwnKinds)
@@ -191,7 +191,7 @@ bool read_kind(Fields& fields, world::Section& section) {
   return read_parameters(fields, section.element);
 }
 
-bool read_title(Fields& fields, std::string& title) {
+bool read_title(JsonFieldReader& fields, std::string& title) {
   if (!fields.has("title")) return true;
   if (!fields.text("title", title)) return false;
   const bool fits = title.size() <= world::kMaxNameBytes && base::is_printable_utf8(title);
@@ -200,7 +200,7 @@ bool read_title(Fields& fields, std::string& title) {
 
 // Reads the section. Missing parameters have their default values. Returns false after a failure, also with more
 // segments than are `left`.
-bool read_section_members(Fields& fields, std::size_t left, world::Section& section, std::size_t& segments) {
+bool read_section_members(JsonFieldReader& fields, std::size_t left, world::Section& section, std::size_t& segments) {
   std::int64_t count = 0;
   if (!fields.whole("segments", count, 1, world::kMaxKnots)) return false;
   segments = static_cast<std::size_t>(count);
@@ -210,7 +210,8 @@ bool read_section_members(Fields& fields, std::size_t left, world::Section& sect
 
 constexpr std::size_t kFew = 2, kAll = 5;  // numbers in a key, at least and at most
 
-bool read_key(Fields& fields, std::string_view channel, std::size_t index, const Json& value, world::ForceKey& key) {
+bool read_key(JsonFieldReader& fields, std::string_view channel, std::size_t index, const Json& value,
+              world::ForceKey& key) {
   const auto wrong = [&] {
     return fields.fail(fmt::format("{}[{}]", channel, index),
                        fmt::format("expected {} or {} numbers, found {}", kFew, kAll, describe(value)));
@@ -225,7 +226,7 @@ bool read_key(Fields& fields, std::string_view channel, std::size_t index, const
   return true;
 }
 
-bool read_list(Fields& fields, std::string_view member, std::vector<world::ForceKey>& keys) {
+bool read_list(JsonFieldReader& fields, std::string_view member, std::vector<world::ForceKey>& keys) {
   const Json* const list = fields.list(member, world::kMostForceKeys);
   if (!list) return false;
   keys.resize(list->size());
@@ -235,7 +236,7 @@ bool read_list(Fields& fields, std::string_view member, std::vector<world::Force
 }
 
 // Reads the keys of all channels. Returns false after a failure, also for a program beyond its limits.
-bool read_force_keys(Fields& fields, world::ForceProgram& force) {
+bool read_force_keys(JsonFieldReader& fields, world::ForceProgram& force) {
   for (std::size_t c = 0; c < force.channels.size(); ++c) {
     const std::string_view name = base::name_of(static_cast<world::ForceChannel>(c));
     if (fields.has(name) && !read_list(fields, name, force.channels[c])) return false;
@@ -247,7 +248,7 @@ bool read_force_keys(Fields& fields, world::ForceProgram& force) {
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
 
 // Creates the entity of an "id" member, with its name.
-bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
+bool create(TrackParse& parse, JsonFieldReader& fields, Kind kind, Entity& e) {
   std::uint32_t number = 0;
   if (!read_id(fields, "id", kind, number)) return false;
   auto& taken = parse.by_number[static_cast<std::size_t>(kind)];
@@ -262,7 +263,7 @@ bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
 
 // Adds the component and the unknown members.
 template <class Component>
-bool keep(TrackParse& parse, const Fields& fields, Entity e, Component component) {
+bool keep(TrackParse& parse, const JsonFieldReader& fields, Entity e, Component component) {
   parse.document.entities.put(e, std::move(component));
   std::string extra = fields.unknown(parse.warnings);
   if (!extra.empty()) parse.document.entities.put(e, world::UnknownMembers{std::move(extra)});
@@ -270,7 +271,7 @@ bool keep(TrackParse& parse, const Fields& fields, Entity e, Component component
 }
 
 bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
-  Fields fields(value, {"knots", index}, parse.error);
+  JsonFieldReader fields(value, {"knots", index}, parse.error);
   Entity e;
   world::Knot knot;
   if (!create(parse, fields, Kind::knot, e) || !read_component(parse, fields, knot)) return false;
@@ -286,7 +287,7 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
 
 // A segment has a fitting if its first member is present.
 template <class T>
-bool read_fitting(TrackParse& parse, Fields& fields, Entity segment) {
+bool read_fitting(TrackParse& parse, JsonFieldReader& fields, Entity segment) {
   std::string_view first;
   T::fields([&](const world::Field& field, auto) {
     if (first.empty()) first = field.name;
@@ -299,7 +300,7 @@ bool read_fitting(TrackParse& parse, Fields& fields, Entity segment) {
 }
 
 bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
-  Fields fields(value, {"segments", index}, parse.error);
+  JsonFieldReader fields(value, {"segments", index}, parse.error);
   const auto& knots = parse.document.track.knots;
   world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0, {}};
   Entity e;
@@ -320,7 +321,7 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
 }
 
 // Reads the section of the segments from index `first` on, and moves `first` beyond them.
-bool read_section(TrackParse& parse, Fields& fields, std::size_t& first) {
+bool read_section(TrackParse& parse, JsonFieldReader& fields, std::size_t& first) {
   const std::vector<Entity>& segments = parse.document.track.segments;
   Entity e;
   world::Section section;
@@ -336,18 +337,18 @@ bool read_section(TrackParse& parse, Fields& fields, std::size_t& first) {
 }
 
 // Files before version 3 have no sections: the whole track is one free section.
-bool read_sections(TrackParse& parse, Fields& fields) {
+bool read_sections(TrackParse& parse, JsonFieldReader& fields) {
   const std::size_t count = parse.document.track.segments.size();
   if (parse.version < 3 && !fields.has("sections"))
     return count == 0 || world::make_section(parse.document, 0, count, {}).valid();
   std::size_t first = 0;
-  return fields.each("sections", kAnyNumber, [&](Fields& entry, auto) {
+  return fields.each("sections", kAnyNumber, [&](JsonFieldReader& entry, auto) {
     return read_section(parse, entry, first);
   }) && (first == count || fields.fail("sections", fmt::format("expected {} segments in all, found {}", count, first)));
 }
 
 bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
-  Fields fields(value, {"carts", index}, parse.error);
+  JsonFieldReader fields(value, {"carts", index}, parse.error);
   Entity e;
   world::Train cart;
   if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
@@ -355,7 +356,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   return keep(parse, fields, e, cart);
 }
 
-bool read_track_head(TrackParse& parse, Fields& fields) {
+bool read_track_head(TrackParse& parse, JsonFieldReader& fields) {
   if (!fields.head(kTrackFormat, kTrackVersion, &parse.version)) return false;
   Document& document = parse.document;
   if (!fields.text("name", document.name)) return false;
@@ -394,7 +395,7 @@ bool read_rest(TrackParse& parse, const Json& list, const TrackParse::StreamedIt
   return true;
 }
 
-bool read_lists(TrackParse& parse, Fields& fields) {
+bool read_lists(TrackParse& parse, JsonFieldReader& fields) {
   const Json *const knots = fields.list("knots", world::kMaxKnots), *const segments = fields.list("segments"),
                     *const carts = fields.list("carts", world::kMaxCarts);
   if (!knots || !segments || !carts) return false;
@@ -424,8 +425,8 @@ void shorten(std::vector<std::string>& warnings) {
 
 }  // namespace
 
-base::Result<CopiedKeys> parse_keys(std::string_view text) {
-  return read_object<CopiedKeys>(text, "clipboard", [](Fields& fields, CopiedKeys& copied) {
+base::Result<CopiedForceKeys> parse_keys(std::string_view text) {
+  return read_object<CopiedForceKeys>(text, "clipboard", [](JsonFieldReader& fields, CopiedForceKeys& copied) {
     if (!fields.named("force-keys", copied.over) || (fields.has("of") && !fields.named("of", copied.of)) ||
         !read_list(fields, "keys", copied.keys))
       return false;
@@ -442,7 +443,7 @@ base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view na
   TrackParse parse;
   const base::Result<Json> tree = read_json(text, name, std::bind_front(take_element, std::ref(parse)));
   if (!tree) return tree.status();
-  Fields fields(*tree, {}, parse.error);
+  JsonFieldReader fields(*tree, {}, parse.error);
   if (parse.error.empty() && read_track_head(parse, fields) && read_lists(parse, fields)) {
     world::settle_joints(parse.document);
     if (const auto broken = world::broken_invariant(parse.document)) parse.error = *broken;

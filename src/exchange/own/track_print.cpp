@@ -105,7 +105,7 @@ std::string members(const Document& document, const T& component, std::string_vi
   T::fields([&](const world::Field& field, auto member) {
     const auto& value = component.*member;
     if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) text += members(document, value, separator);
-    else if (field.in_file != world::InFile::unusual || !(value == usual.*member))
+    else if (field.in_file != world::FilePresence::unusual || !(value == usual.*member))
       text += fmt::format("{}\"{}\": {}", separator, field.name, value_text(document, value));
   });
   return text;
@@ -151,7 +151,7 @@ void print_list(std::string& out, std::string_view key, const Document& document
 
 }  // namespace
 
-std::string print_keys(const CopiedKeys& copied) {
+std::string print_keys(const CopiedForceKeys& copied) {
   const std::string of =
       copied.of == world::ForceQuantity::forces ? "" : fmt::format("\"of\": \"{}\", ", base::name_of(copied.of));
   return fmt::format("{{\"force-keys\": \"{}\", {}\"keys\": {}}}", base::name_of(copied.over), of,

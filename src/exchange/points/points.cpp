@@ -38,7 +38,7 @@ std::size_t split_row(std::string_view line, Row& cells) {
 
 struct PointReader {
   std::string_view name;
-  Lines lines;
+  LineReader lines;
   std::array<std::size_t, 3> columns{0, 1, 2};  // of x, y and z
   std::optional<std::int64_t> count;            // a number alone in the first row
   std::size_t rows = 0;
@@ -108,7 +108,7 @@ constexpr double kLoopTop = 60;     // m: shorter track between two steep parts 
 constexpr double kStillFit = 0.01;  // m of the distance for smoothing: what the fit takes
 
 // Scales and turns the points, moves them to the origin if asked to, and checks where they are.
-base::Status place(Points& p, std::string_view name, const Import& import, std::string& note) {
+base::Status place(Points& p, std::string_view name, const ImportOptions& import, std::string& note) {
   for (dvec3& point : p) point = with_y_up(point, *import.up) * *import.scale;
   if (import.origin) {
     const dvec3 way = way_to_origin(p, std::identity());
@@ -251,7 +251,7 @@ double fit_knots(const Points& given, bool closed, double most, world::Document&
 }  // namespace
 
 base::Result<PointList> read_points(std::string_view text, std::string_view name) {
-  PointReader r{.name = name, .lines = Lines(text)};
+  PointReader r{.name = name, .lines = LineReader(text)};
   const auto failed = [&] { return base::Status{base::Code::bad_file, r.error}; };
   for (std::string_view line; r.lines.next(line);)
     if ((r.rows > 0 || !read_head(r, line)) && !read_point(r, line)) return failed();
@@ -264,7 +264,7 @@ base::Result<PointList> read_points(std::string_view text, std::string_view name
 }
 
 bool is_points(std::string_view text, bool sure) {
-  PointReader r{.name = {}, .lines = Lines(text)};
+  PointReader r{.name = {}, .lines = LineReader(text)};
   Row cells;
   std::string_view line;
   if (!sure) return r.lines.next(line) && (split_row(line, cells) == 3 || (read_head(r, line) && r.count));
@@ -273,7 +273,7 @@ bool is_points(std::string_view text, bool sure) {
   return false;
 }
 
-Import proposed(const PointList& list, Import import) {
+ImportOptions proposed(const PointList& list, ImportOptions import) {
   constexpr double kMuch = 1.5, kShortest = 30, kLongest = 20'000, kHighest = 600, kGood = 300;  // m
   const dvec3 size = list.high - list.low;
   if (!import.up) {
@@ -294,10 +294,10 @@ dvec3 with_y_up(dvec3 of_file, world::Axis up) {
   return up == world::Axis::z ? dvec3(of_file.x, of_file.z, -of_file.y) : of_file;
 }
 
-base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import) {
+base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const ImportOptions& import) {
   base::Result<PointList> list = read_points(text, name);
   if (!list) return list.status();
-  const Import as = proposed(*list, import);
+  const ImportOptions as = proposed(*list, import);
   const auto wrong = [&](const std::string& words) {
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, words)};
   };

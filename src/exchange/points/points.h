@@ -35,14 +35,14 @@ bool is_points(std::string_view text, bool sure = true);
 // Returns `import` with the axis and the unit that it leaves open. Up is y, or z if the list is much less high than
 // wide then, except for a profile: an open list in the plane of x and y. The unit is a metre, or the power of ten that
 // makes the track 300 m to 3 km long if metres would make it shorter than 30 m, longer than 20 km or higher than 600 m.
-Import proposed(const PointList& list, Import import);
+ImportOptions proposed(const PointList& list, ImportOptions import);
 
 // Returns the file's point or extent with Y up.
 glm::dvec3 with_y_up(glm::dvec3 of_file, world::Axis up);
 
 // Parses a list and makes a track of it: a knot at each point whose handles are those of the Catmull-Rom spline, as
-// exact as floats are, or with Import::smooth the fit of fewer knots to a smoothed list. Without trains. Points nearer
-// than kNearest to the one before are left out: two handles of world::kMinHandle need more room.
-base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import);
+// exact as floats are, or with ImportOptions::smooth the fit of fewer knots to a smoothed list. Without trains. Points
+// nearer than kNearest to the one before are left out: two handles of world::kMinHandle need more room.
+base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const ImportOptions& import);
 
 }  // namespace coaster::exchange

@@ -19,9 +19,9 @@ constexpr double kLeastScale = 0.4;       // relative to the bounds
 constexpr double kCopyScale = 0.2;        // the same for the rows of a track that was fitted before
 
 // Returns the longest span from `first`; `usual`: the rows of the last one.
-Span longest_span(FitState& w, std::size_t first, const RollRange& allowed, std::size_t usual) {
+FittedSpan longest_span(FitState& w, std::size_t first, const RollRange& allowed, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
-  Span good{first, first + 1, w.fit(first, first + 1, allowed), allowed};
+  FittedSpan good{first, first + 1, w.fit(first, first + 1, allowed), allowed};
   const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(),
                                        w.distances[first] + kLeastSpan);
   const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
@@ -50,14 +50,14 @@ RollRange rolls_after(const FitState& w, std::size_t last, const SpanFit& fit) {
 
 // Where `span` bends too much, ends the span before it earlier, so that neither does. Changes nothing if no row will
 // do.
-void retreat(FitState& w, Span& span, std::size_t usual) {
-  Span& before = w.spans.back();
+void retreat(FitState& w, FittedSpan& span, std::size_t usual) {
+  FittedSpan& before = w.spans.back();
   const std::size_t rows = before.last - before.first;
   for (std::size_t back = 1; back < rows && !w.cancelled(); back += 1 + back / 2) {
     const std::size_t last = before.last - back;
     SpanFit fit = w.fit(before.first, last, before.allowed);
     if (!fit.within || fit.bent) continue;
-    Span tried = longest_span(w, last, rolls_after(w, last, fit), usual);
+    FittedSpan tried = longest_span(w, last, rolls_after(w, last, fit), usual);
     if (tried.fit.bent || !tried.fit.within || tried.last < span.last) continue;
     before.last = last, before.fit = std::move(fit);
     span = std::move(tried);
@@ -74,7 +74,7 @@ void fit_spans(FitState& w, std::size_t most_spans) {
   RollRange allowed = w.closed ? RollRange{seam, seam} : RollRange{-most, most};
   std::size_t usual = kFirstStride;
   for (std::size_t first = 0; first < end && w.spans.size() <= most_spans && !w.cancelled();) {
-    Span span = longest_span(w, first, allowed, usual);
+    FittedSpan span = longest_span(w, first, allowed, usual);
     if (span.fit.bent && !w.spans.empty()) retreat(w, span, usual);
     usual = std::max<std::size_t>(2, span.last - span.first);
     allowed = rolls_after(w, span.last, span.fit);
@@ -87,7 +87,7 @@ void fit_spans(FitState& w, std::size_t most_spans) {
 
 void even_out(FitState& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
-  std::vector<Span> best = w.spans;
+  std::vector<FittedSpan> best = w.spans;
   const std::size_t fewest = best.size();
   const auto suffice = [&](double scale, std::size_t most) {
     w.scale = scale;
@@ -159,7 +159,7 @@ world::Document document_of(const FitState& w, DerivedTrack& derived) {
                                  : w.spans[i].fit.out_length;
     world::append_knot(document, knot_of(w, w.spans[i].first, in, w.spans[i].fit.out_length));
   }
-  const Span& last = w.spans.back();
+  const FittedSpan& last = w.spans.back();
   if (w.closed) world::set_closed(document, true);
   else world::append_knot(document, knot_of(w, last.last, last.fit.in_length, last.fit.in_length));
   derived = shapes_of(document);
@@ -178,7 +178,7 @@ world::Document document_of(const FitState& w, DerivedTrack& derived) {
 }
 
 // Halves the span: the new knot has the smooth roll.
-void halve(FitState& w, const Span& span, std::vector<Span>& out) {
+void halve(FitState& w, const FittedSpan& span, std::vector<FittedSpan>& out) {
   const std::size_t middle = span.first + (span.last - span.first) / 2;
   const RollRange all{-w.bounds().angle, w.bounds().angle};
   w.rolls[middle] = w.row_rolls.leans[middle];
@@ -221,7 +221,7 @@ void fit_all(FitState& w) {
     fit_spans(w);
     if (!w.cancelled()) even_out(w);
     FeltMiss all;
-    for (const Span& span : w.spans) all.squares += span.fit.felt.squares, all.seconds += span.fit.felt.seconds;
+    for (const FittedSpan& span : w.spans) all.squares += span.fit.felt.squares, all.seconds += span.fit.felt.seconds;
     const double root = std::sqrt(all.squares / std::max(all.seconds, 1e-9));
     if (root <= kFeltRoot) break;
     w.felt_scale *= kLess * kFeltRoot / root;
@@ -265,7 +265,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const
   if (w.cancelled()) return {};
   choose_rolls(w);
   if (closed && w.spans.size() == 1) {
-    std::vector<Span> two;
+    std::vector<FittedSpan> two;
     halve(w, w.spans[0], two);
     w.spans = std::move(two);
   }
@@ -284,11 +284,11 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const
   for (int round = 0; round < kMaxRounds; ++round) {
     fitted.document = document_of(w, derived);
     std::vector<std::size_t> ends;
-    for (const Span& span : w.spans) ends.push_back(span.first);
+    for (const FittedSpan& span : w.spans) ends.push_back(span.first);
     ends.push_back(w.spans.back().last);
     const std::vector<FitReport> reports = measure_spans(derived, measured, ends, free, counted);
     fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size()), roll_doubt, bend_doubt};
-    std::vector<Span> next;
+    std::vector<FittedSpan> next;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);
       fitted.report.frame_error = std::max(fitted.report.frame_error, reports[i].frame_error);

@@ -27,7 +27,7 @@ constexpr int kChecks = 16;                       // per span, between its ends
 constexpr float kSameHandles = 1e-4f;             // relative; closer lengths are made equal, as smooth joints need
 
 // Part of a former segment, and the segment that it becomes.
-struct Stretch {
+struct FormerSegmentPart {
   std::size_t index = 0;  // of the former segment
   double from = 0, to = 1;
   world::Knot first, second;  // with the handles inside the span
@@ -86,16 +86,16 @@ curve::PathPoint end_of(const Switching& w, std::size_t index, double t, const w
 }
 
 // Properties of the new curve over a span.
-struct Covered {
+struct NewCurveExtent {
   double length = 0, roll = 0;  // m, rad
 };
 
 // Computed by the midpoint rule.
-Covered covered_by(const Switching& w, const Stretch& span) {
+NewCurveExtent covered_by(const Switching& w, const FormerSegmentPart& span) {
   constexpr int kSteps = 64;
   const SegmentShape& shape = w.shape(span.index);
   const double start = shape.arc.distance(span.from), step = (shape.arc.distance(span.to) - start) / kSteps;
-  Covered covered;
+  NewCurveExtent covered;
   for (int i = 0; i < kSteps; ++i) {
     const OffsetPoint at = offset_point(shape, start + (i + 0.5) * step, w.offset);
     covered.length += at.stretch() * step, covered.roll += at.spin * at.stretch() * step;
@@ -104,7 +104,7 @@ Covered covered_by(const Switching& w, const Stretch& span) {
 }
 
 // Sets the handles with which the span's cubic has the new curve's curvature at both ends.
-void set_handles(const Switching& w, double length, Stretch& span) {
+void set_handles(const Switching& w, double length, FormerSegmentPart& span) {
   const curve::HandleLengths handles = curve::handle_lengths(end_of(w, span.index, span.from, span.first, 0),
                                                              end_of(w, span.index, span.to, span.second, length));
   span.first.out_length = world::as_handle(handles.out), span.second.in_length = world::as_handle(handles.in);
@@ -112,7 +112,7 @@ void set_handles(const Switching& w, double length, Stretch& span) {
 }
 
 // Returns a track of only this span.
-world::Document track_of(const Switching& w, const Stretch& span) {
+world::Document track_of(const Switching& w, const FormerSegmentPart& span) {
   world::Document track;
   track.curve = w.to, track.heartline = w.document.heartline;
   world::append_knot(track, span.first), world::append_knot(track, span.second);
@@ -120,7 +120,7 @@ world::Document track_of(const Switching& w, const Stretch& span) {
   return track;
 }
 
-struct Error {
+struct StretchError {
   double distance = 0, angle = 0;  // m, rad
   bool within() const { return distance <= kStretchBound && angle <= kUpBound; }
 };
@@ -132,9 +132,9 @@ double beside(const SegmentShape& former, double t, const SegmentShape& now) {
 }
 
 // Compares the rails at corresponding points: an upper bound of their distance.
-Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now) {
+StretchError error_of(const Switching& w, const FormerSegmentPart& span, const SegmentShape& now) {
   const SegmentShape& former = w.shape(span.index);
-  Error error;
+  StretchError error;
   for (int i = 0; i <= kChecks; ++i) {
     const double t = std::lerp(span.from, span.to, static_cast<double>(i) / kChecks), there = beside(former, t, now);
     error.distance = std::max(error.distance, glm::distance(rails_point(former, t), rails_point(now, there)));
@@ -144,15 +144,15 @@ Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now)
   return error;
 }
 
-base::Status too_far(const Switching& w, const Stretch& span) {
+base::Status too_far(const Switching& w, const FormerSegmentPart& span) {
   const double at = w.derived.starts[span.index] + w.shape(span.index).arc.distance(span.from);
   return {base::Code::refused,
           fmt::format("the rails would move by more than {} m at {:.1f} m; smooth the track there", kRailsBound, at)};
 }
 
 // Adds the span to `out`, halved while it misses the bounds. Refused if a short stretch misses kRailsBound.
-base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
-  const Covered covered = covered_by(w, span);
+base::Status fit(const Switching& w, FormerSegmentPart span, std::vector<FormerSegmentPart>& out) {
+  const NewCurveExtent covered = covered_by(w, span);
   set_handles(w, covered.length, span);
   DerivedTrack alone = shapes_of(track_of(w, span));
   const double turns = std::round((covered.roll - alone.shape_at(0).roll.twist) / (2 * base::kPi));
@@ -160,7 +160,7 @@ base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
     span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
     alone = shapes_of(track_of(w, span));
   }
-  const Error error = error_of(w, span, alone.shape_at(0));
+  const StretchError error = error_of(w, span, alone.shape_at(0));
   // The former length: where handles reach their limits, the new one may not shrink.
   const curve::ArcLengthMap& arc = w.shape(span.index).arc;
   const bool is_short = arc.distance(span.to) - arc.distance(span.from) < kShortStretch;
@@ -173,13 +173,13 @@ base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   return fit(w, {span.index, middle, span.to, knot, span.second}, out);
 }
 
-base::Result<std::vector<Stretch>> fit_all(const Switching& w) {
+base::Result<std::vector<FormerSegmentPart>> fit_all(const Switching& w) {
   const std::size_t knots = w.document.track.knots.size();
   std::vector<world::Knot> moved;
   for (std::size_t k = 0; k < knots; ++k) moved.push_back(moved_knot(w, k));
-  std::vector<Stretch> spans;
+  std::vector<FormerSegmentPart> spans;
   for (std::size_t i = 0; i < w.derived.order.size(); ++i) {
-    const Stretch whole{i, 0, 1, moved[i], moved[(i + 1) % knots]};
+    const FormerSegmentPart whole{i, 0, 1, moved[i], moved[(i + 1) % knots]};
     if (w.offset == 0) spans.push_back(whole);
     else if (base::Status fitted = fit(w, whole, spans); !fitted) return fitted;
   }
@@ -187,10 +187,10 @@ base::Result<std::vector<Stretch>> fit_all(const Switching& w) {
 }
 
 // Splits the former segments where spans begin inside them. Returns the first span that is too short for handles.
-const Stretch* split_at(const Switching& w, const std::vector<Stretch>& spans, SwitchedCurve& out) {
+const FormerSegmentPart* split_at(const Switching& w, const std::vector<FormerSegmentPart>& spans, SwitchedCurve& out) {
   world::Entity last;
   for (std::size_t k = 0; k < spans.size(); ++k) {
-    const Stretch& span = spans[k];
+    const FormerSegmentPart& span = spans[k];
     const world::Entity former = w.derived.order[span.index];
     if (span.from == 0) {
       last = former;
@@ -210,7 +210,7 @@ const Stretch* split_at(const Switching& w, const std::vector<Stretch>& spans, S
 }
 
 // Copies the spans' values to the knots and segments of the split document; a knot without segments moves alone.
-void take_values(const Switching& w, const std::vector<Stretch>& spans, world::Document& document) {
+void take_values(const Switching& w, const std::vector<FormerSegmentPart>& spans, world::Document& document) {
   const world::Track& track = document.track;
   const auto set = [&](world::Entity e, const world::Knot& value) -> world::Knot& {
     world::Knot& knot = document.entities.get<world::Knot>(e);
@@ -274,10 +274,10 @@ base::Result<SwitchedCurve> switch_curve(const world::Document& document, const 
     return base::Status{base::Code::refused,
                         fmt::format("the {} {}", to == world::TrackCurve::rails ? "rails fold" : "heartline would fold",
                                     fold_text(folds.front(), w.offset))};
-  const base::Result<std::vector<Stretch>> fitted = fit_all(w);
+  const base::Result<std::vector<FormerSegmentPart>> fitted = fit_all(w);
   if (!fitted) return fitted.status();
-  const std::vector<Stretch>& spans = *fitted;
-  if (const Stretch* const tiny = split_at(w, spans, out)) return too_far(w, *tiny);
+  const std::vector<FormerSegmentPart>& spans = *fitted;
+  if (const FormerSegmentPart* const tiny = split_at(w, spans, out)) return too_far(w, *tiny);
   if (w.offset != 0) take_values(w, spans, out.document);
   if (const auto broken = world::broken_invariant(out.document))
     return base::Status{base::Code::refused, "the curve would leave the world: " + *broken};

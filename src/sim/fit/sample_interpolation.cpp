@@ -53,7 +53,7 @@ std::vector<double> spline_rates(std::span<const double> lengths, std::span<cons
 }
 
 // The rows' rolls as a function of the place: linear over each step.
-struct Steps {
+struct RowRollSteps {
   std::span<const double> lengths, rates;  // m, rad/m
   bool closed;
 
@@ -85,7 +85,7 @@ struct Steps {
 
 // Returns the distance over which a change of the rates about row i may be spread while it leans the row by at most
 // kMostLean: a sudden change w, spread by a triangle that reaches a to either side, leans it by w a / 6.
-double spread_of(const Steps& steps, std::ptrdiff_t i) {
+double spread_of(const RowRollSteps& steps, std::ptrdiff_t i) {
   double change = 0;
   steps.walk(i, kSpinReach, [&](std::ptrdiff_t way, std::ptrdiff_t, double rate, double from, double to) {
     change += static_cast<double>(way) * (to - from) / kSpinReach * rate;
@@ -93,7 +93,7 @@ double spread_of(const Steps& steps, std::ptrdiff_t i) {
   return std::min(kSpinReach, 6 * kMostLean / std::max(std::abs(change), 1e-9));
 }
 
-double median_rate(const Steps& steps, std::ptrdiff_t i) {
+double median_rate(const RowRollSteps& steps, std::ptrdiff_t i) {
   std::vector<double> near;
   steps.walk(i, kSpinReach, [&](std::ptrdiff_t, std::ptrdiff_t, double rate, double, double) { near.push_back(rate); });
   const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
@@ -104,7 +104,7 @@ double median_rate(const Steps& steps, std::ptrdiff_t i) {
 constexpr int kSpread = 6;  // steps within the reach, on both sides together: with fewer, spans spread a change as far
 
 // Sets spins and leans where rows are close together.
-void spread_rolls(const Steps& steps, RowRolls& rolls) {
+void spread_rolls(const RowRollSteps& steps, RowRolls& rolls) {
   const auto count = static_cast<std::ptrdiff_t>(rolls.spins.size());
   std::vector<double> spreads;
   for (std::ptrdiff_t i = 0; i < count; ++i) spreads.push_back(spread_of(steps, i));

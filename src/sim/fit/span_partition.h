@@ -18,7 +18,7 @@ inline constexpr std::size_t kEvenedRows = 60'000;
 
 inline constexpr double kLeastSpan = 0.06;  // m: in a shorter span the least handle length would not fit
 
-struct Span {
+struct FittedSpan {
   std::size_t first = 0, last = 0;
   SpanFit fit;
   RollRange allowed;  // of the first knot's additional roll
@@ -39,7 +39,7 @@ struct FitState {
   double scale = 1;               // relative to the bounds
   double felt_scale = 1;          // the same of what riders feel
   SpanScratch scratch;
-  std::vector<Span> spans;
+  std::vector<FittedSpan> spans;
   std::vector<double> rolls;  // additional roll of a knot at each row, radians
   int passes = 0;             // completed calls of fit_spans()
 

@@ -70,7 +70,7 @@ double floor_of(const CircuitTask& task) {
   return std::min(kLowestRails - task.rails, ends) - 0.01;
 }
 
-HeightEnds ends_of(const CircuitCandidates& c, const Turns& turns) {
+HeightEnds ends_of(const CircuitCandidates& c, const TurnsInPlan& turns) {
   return {turns.length(), c.in.height, c.out.height, c.in.slope, c.out.slope};
 }
 
@@ -78,7 +78,8 @@ double fastest_square(const CircuitTask& task, double lowest) {
   return std::max(1.0, square_speed(task, std::min(0.0, lowest - task.from.position.y), 0));
 }
 
-std::optional<Heights> heights_of(const CircuitCandidates& c, const CircuitCandidate& candidate, const Turns& turns) {
+std::optional<HeightProfile> heights_of(const CircuitCandidates& c, const CircuitCandidate& candidate,
+                                        const TurnsInPlan& turns) {
   const HeightEnds ends = ends_of(c, turns);
   const double level =
       candidate.level < 0 ? std::min(ends.from, ends.to) : c.levels[static_cast<std::size_t>(candidate.level)];
@@ -89,7 +90,7 @@ std::optional<Heights> heights_of(const CircuitCandidates& c, const CircuitCandi
 
 // Adds a candidate, or counts the reason for leaving it out. Returns true if there was space for the heights.
 bool consider(CircuitCandidate candidate, double floor, ClosingCurve& closing, CircuitCandidates& c) {
-  const std::optional<Heights> heights = heights_of(c, candidate, closing.turns);
+  const std::optional<HeightProfile> heights = heights_of(c, candidate, closing.turns);
   if (!heights) return false;
   closing.heights = *heights;
   if (lowest_of(*heights) < floor) {
@@ -171,14 +172,15 @@ double unlikeness(const world::ClosingPlan& former, const CircuitCandidates& c, 
 
 ClosingCurve CircuitCandidates::rough(const CircuitCandidate& candidate) const {
   ClosingCurve closing{in, out, turns[candidate.turns].rough, {}};
-  if (const std::optional<Heights> heights = heights_of(*this, candidate, closing.turns)) closing.heights = *heights;
+  if (const std::optional<HeightProfile> heights = heights_of(*this, candidate, closing.turns))
+    closing.heights = *heights;
   return closing;
 }
 
 std::optional<ClosingCurve> CircuitCandidates::exact(const CircuitCandidate& candidate) const {
-  const std::optional<Turns> found = exact_turns(in.pose, out.pose, turns[candidate.turns]);
+  const std::optional<TurnsInPlan> found = exact_turns(in.pose, out.pose, turns[candidate.turns]);
   if (!found) return std::nullopt;
-  const std::optional<Heights> heights = heights_of(*this, candidate, *found);
+  const std::optional<HeightProfile> heights = heights_of(*this, candidate, *found);
   if (!heights) return std::nullopt;
   return ClosingCurve{in, out, *found, *heights};
 }

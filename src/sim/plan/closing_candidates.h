@@ -27,7 +27,7 @@ struct CircuitRejections {
 
 struct CircuitCandidates {
   CircuitTask task;
-  Lead in, out;
+  CircuitLead in, out;
   std::vector<double> levels;  // m
   std::vector<TurnChoice> turns;
   std::vector<CircuitCandidate> list;  // by cost

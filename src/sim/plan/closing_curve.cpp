@@ -57,13 +57,14 @@ struct TurnTable {
 Bend turn_of(const TurnChoice& c, double from, double to) { return soft({from, to, c.radius, 0, c.shortest}); }
 
 // The remaining displacement after a first turn by `turn`, along and across the heading between the turns.
-struct Rest {
+struct RemainingDisplacement {
   double ahead = 0, aside = 0;  // m
   double second = 0;            // rad, the second turn
 };
 
 template <class Moved>
-Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, double turn, const Moved& moved) {
+RemainingDisplacement rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, double turn,
+                                 const Moved& moved) {
   const double heading = from.heading + c.first * turn;
   double second = c.second * (to.heading - heading) / (2.0 * kPi);
   second = (second - std::floor(second) + c.more_second) * 2.0 * kPi;
@@ -77,7 +78,7 @@ Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, d
   return {glm::dot(rest, e), rest.y * e.x - rest.x * e.y, second};
 }
 
-Turns turns_of(const PlanPose& from, const TurnChoice& c, double turn, const Rest& rest) {
+TurnsInPlan turns_of(const PlanPose& from, const TurnChoice& c, double turn, const RemainingDisplacement& rest) {
   const double heading = from.heading + c.first * turn;
   return {c.before, std::max(0.0, rest.ahead), c.after, turn_of(c, from.heading, heading),
           turn_of(c, heading, heading + c.second * rest.second)};
@@ -90,16 +91,16 @@ void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vect
     return kTable.at(angle, choice.radius, choice.shortest);
   };
   const int begin = c.more_first * kGrid;
-  Rest last = rest_after(from, to, c, begin * kGridStep, moved);
+  RemainingDisplacement last = rest_after(from, to, c, begin * kGridStep, moved);
   const auto take = [&](double low, double high, double turn) {
-    const Rest rest = rest_after(from, to, c, turn, moved);
+    const RemainingDisplacement rest = rest_after(from, to, c, turn, moved);
     if (rest.ahead < -0.05) return;
     c.low = low, c.high = high, c.rough = turns_of(from, c, turn, rest);
     out.push_back(c);
   };
   if (last.aside == 0) take(begin * kGridStep, begin * kGridStep, begin * kGridStep);
   for (int i = begin + 1; i <= begin + kGrid; ++i) {
-    const Rest next = rest_after(from, to, c, i * kGridStep, moved);
+    const RemainingDisplacement next = rest_after(from, to, c, i * kGridStep, moved);
     if ((last.aside < 0) != (next.aside < 0) && std::abs(last.second - next.second) < kPi)
       take((i - 1) * kGridStep, i * kGridStep, (i - 1 + last.aside / (last.aside - next.aside)) * kGridStep);
     last = next;
@@ -108,7 +109,7 @@ void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vect
 
 }  // namespace
 
-std::vector<double> Turns::breaks() const {
+std::vector<double> TurnsInPlan::breaks() const {
   std::vector<double> at{before};
   const auto add = [&](const Bend& bend, double straight) {
     const double begin = at.back();
@@ -120,7 +121,7 @@ std::vector<double> Turns::breaks() const {
   return at;
 }
 
-Turns::At Turns::at(double u) const {
+TurnsInPlan::At TurnsInPlan::at(double u) const {
   double begin = 0, end = before;
   if (u <= end) return {first.from, 0};
   begin = end, end = begin + first.length();
@@ -153,7 +154,7 @@ std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, s
 }
 
 // By regula falsi (Illinois): a few steps from a bracket of 2.5 degrees.
-std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice) {
+std::optional<TurnsInPlan> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice) {
   constexpr int kSteps = 60;
   constexpr double kDone = 1e-11;  // m
   const auto moved = [](double angle, const TurnChoice& c) { return turn_of(c, 0, angle).run_and_rise(); };
@@ -161,8 +162,8 @@ std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const
   // The interpolated root may lie just outside the exact bracket.
   double low = std::max(0.0, choice.low - 0.01), high = choice.high + 0.01;
   if (choice.low == choice.high) low = high = choice.low;
-  const Rest at_low = rest(low), at_high = rest(high);
-  Rest here = at_low;
+  const RemainingDisplacement at_low = rest(low), at_high = rest(high);
+  RemainingDisplacement here = at_low;
   double turn = low, aside_low = at_low.aside, aside_high = at_high.aside;
   if (low < high && ((aside_low < 0) == (aside_high < 0) || std::abs(at_low.second - at_high.second) > kPi))
     return std::nullopt;
@@ -193,7 +194,7 @@ LeadPiece ease_piece(dvec3 forward, dvec3 towards, double k) {
     const double v = u / length, angle = k * length * (v - soft_step_integral(v));
     const double rate = k * (1.0 - soft_step(v));
     const auto [sin, cos] = base::sin_cos(angle);
-    return ElementRate{{cos, sin, 0}, {-sin * rate, cos * rate, 0}, dvec3(0), 0};
+    return ElementDerivatives{{cos, sin, 0}, {-sin * rate, cos * rate, 0}, dvec3(0), 0};
   };
   return piece;
 }
@@ -203,7 +204,7 @@ void carry_up(LeadPiece& ease, dvec3 after) {
   const dvec3 local(glm::dot(after, ease.forward), glm::dot(after, ease.up), glm::dot(after, ease.left));
   const double k = ease.rate(0).d2.y, length = ease.length, whole = 0.5 * k * length;
   ease.rate = [rate = ease.rate, local, k, length, whole](double u) {
-    ElementRate r = rate(u);
+    ElementDerivatives r = rate(u);
     const double v = u / length, angle = k * length * (v - soft_step_integral(v));
     r.up = curve::rotate(local, {0, 0, 1}, angle - whole);
     return r;
@@ -222,8 +223,8 @@ dvec3 ahead_of(dvec3 forward, dvec3 up) {
 
 }  // namespace
 
-Lead lead_from(const TrackEnd& end, double radius) {
-  Lead lead;
+CircuitLead lead_from(const TrackEnd& end, double radius) {
+  CircuitLead lead;
   const double k = glm::length(end.curvature);
   const bool bent = k >= kStraightEnd;
   ElementPath path(end.position, end.forward, bent ? end.curvature : dvec3(0), end.up);
@@ -255,13 +256,13 @@ Lead lead_from(const TrackEnd& end, double radius) {
   return lead;
 }
 
-Lead lead_to(TrackEnd home, double radius) {
+CircuitLead lead_to(TrackEnd home, double radius) {
   home.forward = -home.forward;
-  Lead lead = lead_from(home, radius);
+  CircuitLead lead = lead_from(home, radius);
   std::reverse(lead.pieces.begin(), lead.pieces.end());
   for (LeadPiece& piece : lead.pieces)
     piece.rate = [rate = piece.rate, length = piece.length](double u) {
-      ElementRate r = rate(length - u);
+      ElementDerivatives r = rate(length - u);
       r.d1 = -r.d1;
       return r;
     };
@@ -270,7 +271,7 @@ Lead lead_to(TrackEnd home, double radius) {
   return lead;
 }
 
-void add_lead(const Lead& lead, ElementPath& path) {
+void add_lead(const CircuitLead& lead, ElementPath& path) {
   for (const LeadPiece& piece : lead.pieces) {
     path.set_axes(piece.forward, piece.up, piece.left);
     path.add(piece.length, piece.rate);
@@ -317,10 +318,11 @@ void add_middle(const ClosingCurve& closing, ElementPath& path) {
   double begin = 0;
   for (const double u : merged(closing.turns.breaks(), closing.heights.breaks(), end)) {
     path.add(u - begin, [&closing, begin](double v) {
-      const Turns::At turn = closing.turns.at(begin + v);
-      const Heights::At height = closing.heights.at(begin + v);
+      const TurnsInPlan::At turn = closing.turns.at(begin + v);
+      const HeightProfile::At height = closing.heights.at(begin + v);
       const auto [sin, cos] = base::sin_cos(turn.angle);
-      return ElementRate{{cos, height.slope, -sin}, {-sin * turn.bend, height.change, -cos * turn.bend}, dvec3(0), 0};
+      return ElementDerivatives{
+          {cos, height.slope, -sin}, {-sin * turn.bend, height.change, -cos * turn.bend}, dvec3(0), 0};
     });
     begin = u;
   }
@@ -373,7 +375,7 @@ double square_speed(const CircuitTask& task, double rise, double length) {
   return start * drag - 2.0 * world::kGravity * (rise + double{task.losses.rolling} * length);
 }
 
-double lowest_of(const Heights& heights) {
+double lowest_of(const HeightProfile& heights) {
   constexpr int kSteps = 64;
   double lowest = heights.start;
   const double length = heights.length();
@@ -387,7 +389,7 @@ std::optional<FeltRange> estimate(const CircuitTask& task, const ClosingCurve& c
   const double length = closing.turns.length(), from = task.from.position.y;
   for (int i = 0; i <= steps; ++i) {
     const double u = length * i / steps;
-    const Heights::At h = closing.heights.at(u);
+    const HeightProfile::At h = closing.heights.at(u);
     const double square = square_speed(task, h.height - from, closing.in.length + u * std::sqrt(1 + h.slope * h.slope));
     if (square < slowest(task) * slowest(task)) return std::nullopt;
     const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
@@ -396,7 +398,7 @@ std::optional<FeltRange> estimate(const CircuitTask& task, const ClosingCurve& c
     felt.most = std::max(felt.most, std::sqrt(side * side + up * up));
     felt.least = std::min(felt.least, up);
   }
-  const Turns& turns = closing.turns;
+  const TurnsInPlan& turns = closing.turns;
   for (const auto& [bend, begin] :
        {std::pair{&turns.first, turns.before}, {&turns.second, length - turns.after - turns.second.length()}}) {
     const double ramp = bend->ramp();
@@ -421,8 +423,8 @@ std::vector<ClosingPlace> rough_line(const CircuitTask& task, const ClosingCurve
   double s = closing.in.length;
   for (int i = 0; i <= steps; ++i) {
     const double u = each * i;
-    const Turns::At turn = closing.turns.at(u);
-    const Heights::At h = closing.heights.at(u);
+    const TurnsInPlan::At turn = closing.turns.at(u);
+    const HeightProfile::At h = closing.heights.at(u);
     const auto [sin, cos] = base::sin_cos(turn.angle);
     const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
     const dvec3 d1(cos, h.slope, sin), d2(-sin * turn.bend, h.change, cos * turn.bend), tangent = d1 / root;

@@ -21,7 +21,7 @@ struct PlanPose {
   double heading = 0;   // rad from +X towards +Z: rises to the right
 };
 
-struct Turns {
+struct TurnsInPlan {
   double before = 0, between = 0, after = 0;  // m, of the straights
   Bend first{0, 0, 1}, second{0, 0, 1};       // turns of the heading
   double length() const { return before + first.length() + between + second.length() + after; }
@@ -41,7 +41,7 @@ struct TurnChoice {
   double shortest = Bend::kShortest;         // m, of a turn
   double low = 0, high = 0;                  // rad
   // The turns, accurate to about a centimetre, from interpolated displacements.
-  Turns rough;
+  TurnsInPlan rough;
 };
 
 // Returns every way from one pose to the other with one of these radii and lengths of the outer straights, with up to
@@ -49,7 +49,7 @@ struct TurnChoice {
 std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
                                      std::span<const double> straights, double shortest = Bend::kShortest);
 // Returns the turns of a choice, exact to rounding; nothing if the straight between them would be negative.
-std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice);
+std::optional<TurnsInPlan> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice);
 
 inline constexpr double kGentle_deg = 32;
 
@@ -60,7 +60,7 @@ struct LeadPiece {
   ElementPiece rate;
 };
 
-struct Lead {
+struct CircuitLead {
   std::vector<LeadPiece> pieces;
   PlanPose pose;                 // where the pieces end; for the first knot: where they begin, in the train's direction
   double height = 0, slope = 0;  // m; m per metre in plan
@@ -71,11 +71,11 @@ struct Lead {
 // Returns the pieces after an end: its curvature falls to 0, then a steep end bends to a gentler slope with that
 // radius, m. A vertical end bends towards the riders' heads if it points down, away from them if it points up, so that
 // the track becomes upright.
-Lead lead_from(const TrackEnd& end, double radius);
+CircuitLead lead_from(const TrackEnd& end, double radius);
 // Returns the pieces before the first knot, `home`, whose direction is the train's.
-Lead lead_to(TrackEnd home, double radius);
+CircuitLead lead_to(TrackEnd home, double radius);
 
-void add_lead(const Lead& lead, ElementPath& path);
+void add_lead(const CircuitLead& lead, ElementPath& path);
 
 // The ends between which a track is to be completed, and the train.
 struct CircuitTask {
@@ -103,9 +103,9 @@ struct FeltRange {
 };
 
 struct ClosingCurve {
-  Lead in, out;
-  Turns turns;
-  Heights heights;
+  CircuitLead in, out;
+  TurnsInPlan turns;
+  HeightProfile heights;
 };
 
 // Returns the least speed on it, m/s.
@@ -115,7 +115,7 @@ inline double slowest(const CircuitTask& task) { return std::min(kSlowestHome, 0
 double square_speed(const CircuitTask& task, double rise, double length);
 
 // Returns the lowest height of the curve between the leads, m.
-double lowest_of(const Heights& heights);
+double lowest_of(const HeightProfile& heights);
 
 // Returns what is felt on the curve between the leads, from `steps` positions on it; nothing if the train would be
 // slower than slowest(). Lateral g is that of rolling with the bank. About 5 us for 48 steps.

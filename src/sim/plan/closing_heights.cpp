@@ -122,24 +122,24 @@ ToLevel to_level(double slope, double rise, const HeightLimits& limits) {
 
 }  // namespace
 
-void Heights::add(double length, double from, double to) {
+void HeightProfile::add(double length, double from, double to) {
   if (length > 0 && count < pieces.size()) pieces[count++] = {length, from, to};
 }
 
-double Heights::length() const {
+double HeightProfile::length() const {
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) sum += pieces[i].length;
   return sum;
 }
 
-std::vector<double> Heights::breaks() const {
+std::vector<double> HeightProfile::breaks() const {
   std::vector<double> at;
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) at.push_back(sum += pieces[i].length);
   return at;
 }
 
-Heights::At Heights::at(double u) const {
+HeightProfile::At HeightProfile::at(double u) const {
   At result{start, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [length, from, to] = pieces[i];
@@ -156,7 +156,7 @@ Heights::At Heights::at(double u) const {
   return result;
 }
 
-std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& limits) {
+std::optional<HeightProfile> steady_heights(const HeightEnds& e, const HeightLimits& limits) {
   constexpr int kRounds = 60;  // each halves the error, approximately
   double slope = e.length > 0 ? (e.to - e.from) / e.length : 0, first = 0, last = 0;
   for (int i = 0; i < kRounds; ++i) {
@@ -166,7 +166,7 @@ std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& l
     slope = (e.to - e.from - 0.5 * first * e.slope_from - 0.5 * last * e.slope_to) / room;
   }
   if (std::abs(slope) > std::max({limits.steepest, std::abs(e.slope_from), std::abs(e.slope_to)})) return std::nullopt;
-  Heights heights;
+  HeightProfile heights;
   heights.start = e.from;
   heights.add(first, e.slope_from, slope);
   heights.add(e.length - first - last, slope, slope);
@@ -175,11 +175,11 @@ std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& l
 }
 
 // The part down to the end is that up from the end, reversed.
-std::optional<Heights> heights_by_way_of(double level, const HeightEnds& e, const HeightLimits& limits) {
+std::optional<HeightProfile> heights_by_way_of(double level, const HeightEnds& e, const HeightLimits& limits) {
   const ToLevel in = to_level(e.slope_from, level - e.from, limits), out = to_level(-e.slope_to, level - e.to, limits);
   const double flat = e.length - in.length() - out.length();
   if (flat < 0 || in.steady < 0 || out.steady < 0) return std::nullopt;
-  Heights heights;
+  HeightProfile heights;
   heights.start = e.from;
   heights.add(in.bend, e.slope_from, in.slope);
   heights.add(in.steady, in.slope, in.slope);

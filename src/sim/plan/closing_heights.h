@@ -51,7 +51,7 @@ struct HeightPiece {
   double length = 0, from = 0, to = 0;
 };
 
-struct Heights {
+struct HeightProfile {
   double start = 0;  // m
   std::array<HeightPiece, 7> pieces{};
   std::size_t count = 0;
@@ -79,9 +79,9 @@ struct HeightEnds {
 
 // Returns heights of one constant slope; nothing if it would be steeper than the limit or there is no space for the
 // bends.
-std::optional<Heights> steady_heights(const HeightEnds& ends, const HeightLimits& limits);
+std::optional<HeightProfile> steady_heights(const HeightEnds& ends, const HeightLimits& limits);
 // Returns heights that climb or descend to a level, stay there, and go on to the end; nothing if there is no space for
 // that.
-std::optional<Heights> heights_by_way_of(double level, const HeightEnds& ends, const HeightLimits& limits);
+std::optional<HeightProfile> heights_by_way_of(double level, const HeightEnds& ends, const HeightLimits& limits);
 
 }  // namespace coaster::sim

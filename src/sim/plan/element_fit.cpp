@@ -163,7 +163,7 @@ constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it
 constexpr double kFarFromExact = 1e-9;
 constexpr double kOfG2 = 0.6;  // of the largest jump that is G2
 
-struct Bounds {
+struct FitBounds {
   double distance, roll;
   std::vector<double> jumps;  // 1/m, by knot
 };
@@ -176,7 +176,7 @@ double half_ulp(dvec3 p) {
 
 // An error e of a control point changes the curvature at a joint by about 8 e / handle^2, with the shorter handle
 // there.
-Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
+FitBounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
   const std::size_t last = at.size() - 1;
   std::vector<double> rounding, shortest(at.size(), curve.length());
   for (const std::size_t i : at) rounding.push_back(half_ulp(curve.points[i].position));
@@ -185,7 +185,7 @@ Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
     const double length = curve.points[at[k]].s - curve.points[at[k - 1]].s;
     for (double* const beside : {&shortest[k - 1], &shortest[k]}) *beside = std::min(*beside, length);
   }
-  Bounds bounds{kElementDistance + 2.0 * largest, base::radians(kElementRoll_deg), {}};
+  FitBounds bounds{kElementDistance + 2.0 * largest, base::radians(kElementRoll_deg), {}};
   for (std::size_t k = 0; k <= last; ++k) {
     const double error = std::max({rounding[k], rounding[k > 0 ? k - 1 : k], rounding[k < last ? k + 1 : k]}),
                  handle = std::max(shortest[k] / 3.0, kFarFromExact);
@@ -195,14 +195,14 @@ Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
 }
 
 // A choice of knots among the curve's points, and the checks of its spans.
-struct Trial : curve::SpanTrial {
+struct KnotChoiceTrial : curve::SpanTrial {
   Spans spans;
-  Bounds bounds;
+  FitBounds bounds;
   std::vector<SpanCheck> checks;
 };
 
-Trial try_places(const ElementCurve& curve, std::vector<std::size_t> ends) {
-  Trial trial{{std::move(ends), {}}, {}, {}, {}};
+KnotChoiceTrial try_places(const ElementCurve& curve, std::vector<std::size_t> ends) {
+  KnotChoiceTrial trial{{std::move(ends), {}}, {}, {}, {}};
   trial.spans = make_spans(curve, trial.ends);
   trial.bounds = bounds_for(curve, trial.ends);
   trial.checks.resize(trial.ends.size() - 1);
@@ -210,7 +210,7 @@ Trial try_places(const ElementCurve& curve, std::vector<std::size_t> ends) {
 }
 
 // Checks span k.
-bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
+bool holds(const ElementCurve& curve, KnotChoiceTrial& t, std::size_t k) {
   const std::span<const ElementPoint> points(curve.points);
   const SpanCheck& check = t.checks[k] =
       check_span(points.subspan(t.ends[k], t.ends[k + 1] - t.ends[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
@@ -220,7 +220,7 @@ bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
 }
 
 // Checks spans from `first`, cyclically, until one fails.
-bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
+bool all_hold(const ElementCurve& curve, KnotChoiceTrial& t, std::size_t first) {
   const std::size_t count = t.checks.size();
   for (std::size_t i = 0; i < count; ++i)
     if (!holds(curve, t, (first + i) % count)) return false;
@@ -228,7 +228,7 @@ bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
 }
 
 // Sets the difficulties from the checks.
-void rate(Trial& t) {
+void rate(KnotChoiceTrial& t) {
   t.difficulties.clear();
   for (const SpanCheck& check : t.checks) {
     const double distance = std::sqrt(std::sqrt(check.error / t.bounds.distance)),
@@ -238,7 +238,7 @@ void rate(Trial& t) {
 }
 
 // Checks all spans. Returns those that fail.
-std::vector<std::size_t> judge(const ElementCurve& curve, Trial& t) {
+std::vector<std::size_t> judge(const ElementCurve& curve, KnotChoiceTrial& t) {
   std::vector<std::size_t> failing;
   for (std::size_t k = 0; k < t.checks.size(); ++k)
     if (!holds(curve, t, k)) failing.push_back(k);
@@ -279,7 +279,7 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
 }
 
 // Adds spans to the pieces with failing spans. Returns 0: none fails; 1: more to try; -1: nothing more to do.
-int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
+int refine(const ElementCurve& curve, KnotChoiceTrial& trial, std::vector<int>& counts) {
   const std::vector<std::size_t> failing = judge(curve, trial);
   bool changed = false;
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
@@ -295,12 +295,12 @@ int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
 
 // Removes knots while all checks pass: first in pairs symmetric about the middle, as most elements are symmetric, then
 // singly.
-void thin(const ElementCurve& curve, Trial& best) {
+void thin(const ElementCurve& curve, KnotChoiceTrial& best) {
   const auto attempt = [&](std::size_t k, std::size_t other) {
     std::vector<std::size_t> fewer = best.ends;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(other));
     if (k != other) fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-    Trial trial = try_places(curve, std::move(fewer));
+    KnotChoiceTrial trial = try_places(curve, std::move(fewer));
     if (!all_hold(curve, trial, k - 1)) return false;
     best = std::move(trial);
     return true;
@@ -339,7 +339,7 @@ std::vector<std::size_t> places_of(const ElementCurve& curve, std::span<const do
   return at;
 }
 
-ElementFit fit_of(Trial trial, bool within) {
+ElementFit fit_of(KnotChoiceTrial trial, bool within) {
   ElementFit fit;
   fit.within = within;
   for (const SpanCheck& check : trial.checks)
@@ -355,7 +355,7 @@ ElementFit fit_element(const ElementCurve& curve, std::span<const double> length
   constexpr int kRounds = 3;
   std::vector<std::size_t> at = places_of(curve, lengths);
   for (int round = 0; round < kRounds && at.size() > 1; ++round) {
-    Trial trial = try_places(curve, std::move(at));
+    KnotChoiceTrial trial = try_places(curve, std::move(at));
     const std::vector<std::size_t> failing = judge(curve, trial);
     if (failing.empty()) return fit_of(std::move(trial), true);
     at = curve::halved(trial.ends, failing);
@@ -369,7 +369,7 @@ ElementFit fit_element(const ElementCurve& curve) {
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p)
     counts.push_back(std::clamp(
         static_cast<int>(turn_of(curve, curve.breaks[p], curve.breaks[p + 1]) / kTurnOfSpan) + 1, 1, kMostSpans));
-  Trial trial = try_places(curve, places_for(curve, counts));
+  KnotChoiceTrial trial = try_places(curve, places_for(curve, counts));
   int more = refine(curve, trial, counts);
   for (int round = 0; round < kMostRounds && more > 0; ++round) {
     trial = try_places(curve, places_for(curve, counts));
@@ -380,12 +380,12 @@ ElementFit fit_element(const ElementCurve& curve) {
     thin(curve, trial);
     rate(trial);
     const auto attempt = [&](std::vector<std::size_t> ends) {
-      Trial fewer = try_places(curve, std::move(ends));
+      KnotChoiceTrial fewer = try_places(curve, std::move(ends));
       judge(curve, fewer);
       rate(fewer);
       return fewer;
     };
-    curve::remove_spans(trial, kRemovalRounds, attempt, [](Trial&) { return false; });
+    curve::remove_spans(trial, kRemovalRounds, attempt, [](KnotChoiceTrial&) { return false; });
   }
   return fit_of(std::move(trial), within);
 }

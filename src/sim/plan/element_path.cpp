@@ -90,7 +90,7 @@ ElementPath::ElementPath(dvec3 position, dvec3 tangent, dvec3 curvature, dvec3 u
   curve_.breaks.push_back(0);
 }
 
-ElementPoint ElementPath::point(const ElementRate& rate) const {
+ElementPoint ElementPath::point(const ElementDerivatives& rate) const {
   ElementPoint p;
   const dvec3 d1 = world(rate.d1), d2 = world(rate.d2);
   const double square = glm::dot(d1, d1);
@@ -134,7 +134,7 @@ void ElementPath::add(std::initializer_list<double> lengths, const ElementPiece&
   }
 }
 
-ElementRate upright_rate(double angle, double bend) {
+ElementDerivatives upright_rate(double angle, double bend) {
   const auto [sin, cos] = base::sin_cos(angle);
   return {{cos, sin, 0}, {-sin * bend, cos * bend, 0}, {-sin, cos, 0}, 0};
 }
@@ -209,7 +209,7 @@ double tangent_of(double angle) {
   return sin / cos;
 }
 
-Foot::Foot(double steepest, double least_radius, double p)
+HillFoot::HillFoot(double steepest, double least_radius, double p)
     : angle(steepest), radius(Bend(0, steepest, least_radius).radius) {
   const double r = radius;
   const double cos = base::sin_cos(steepest).cos;
@@ -222,20 +222,20 @@ Foot::Foot(double steepest, double least_radius, double p)
   arc = r * (angle - first_angle - second_angle);
 }
 
-double Foot::bend(double u) const {
+double HillFoot::bend(double u) const {
   if (u < first) return u / (first * radius);
   if (u < first + arc) return 1 / radius;
   return 1 / radius - (1 / radius + crest_bend) * (u - first - arc) / second;
 }
 
-double Foot::angle_at(double u) const {
+double HillFoot::angle_at(double u) const {
   if (u < first) return u * u / (2 * first * radius);
   if (u < first + arc) return first_angle + (u - first) / radius;
   const double v = u - first - arc;
   return angle - second_angle + v / radius - (1 / radius + crest_bend) * v * v / (2 * second);
 }
 
-double Foot::rise() const {
+double HillFoot::rise() const {
   constexpr int kSteps = 16;
   double sum = 0;
   for (const auto& [begin, part] : {dvec2(0, first), dvec2(first, arc), dvec2(first + arc, second)})
@@ -245,15 +245,15 @@ double Foot::rise() const {
   return sum;
 }
 
-void add_foot_up(ElementPath& path, const Foot& foot) {
+void add_foot_up(ElementPath& path, const HillFoot& foot) {
   path.add({foot.first, foot.arc, foot.second}, [&](double u) { return upright_rate(foot.angle_at(u), foot.bend(u)); });
 }
 
-void add_foot_down(ElementPath& path, const Foot& foot, double way) {
+void add_foot_down(ElementPath& path, const HillFoot& foot, double way) {
   const double whole = foot.length();
   const auto down = [&](double from) {
     return [&foot, from, way](double u) {
-      ElementRate rate = upright_rate(-foot.angle_at(from - u), foot.bend(from - u));
+      ElementDerivatives rate = upright_rate(-foot.angle_at(from - u), foot.bend(from - u));
       for (glm::dvec3* v : {&rate.d1, &rate.d2, &rate.up}) v->x *= way;
       return rate;
     };
@@ -266,10 +266,10 @@ void add_foot_down(ElementPath& path, const Foot& foot, double way) {
 void add_parabola(ElementPath& path, double p, double edge, double way, double from_roll, double to_roll) {
   path.add(2 * edge, [=](double u) {
     const double slope = (edge - u) / p;
-    return ElementRate{{way, slope, 0},
-                       {0, -1 / p, 0},
-                       {-way * slope, 1, 0},
-                       from_roll + (to_roll - from_roll) * smooth_step(u / (2 * edge))};
+    return ElementDerivatives{{way, slope, 0},
+                              {0, -1 / p, 0},
+                              {-way * slope, 1, 0},
+                              from_roll + (to_roll - from_roll) * smooth_step(u / (2 * edge))};
   });
 }
 

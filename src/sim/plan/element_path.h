@@ -48,15 +48,15 @@ EndSlopes slopes_at(const ElementPoint& at, const ElementPoint& near, const Elem
 void merge_short_pieces(ElementCurve& curve);
 
 // A piece at its parameter u, in the axes of the builder: first and second derivative by u, and the up vector.
-struct ElementRate {
+struct ElementDerivatives {
   glm::dvec3 d1{1, 0, 0}, d2{0};
   glm::dvec3 up{0};  // not yet perpendicular; 0: upright, as near to +Y as possible
   double roll = 0;   // rad about the tangent on top of `up`, positive to the rider's right
 };
-using ElementPiece = std::function<ElementRate(double u)>;
+using ElementPiece = std::function<ElementDerivatives(double u)>;
 
 // Returns the rate by arc length of a curve in the plane of forward and up, from its angle and curvature there.
-ElementRate upright_rate(double angle, double bend);
+ElementDerivatives upright_rate(double angle, double bend);
 
 // Returns a value from 0 to 1 for v in [0, 1], with derivative 0 at both ends.
 inline double smooth_step(double v) { return v * v * (3.0 - 2.0 * v); }
@@ -115,7 +115,7 @@ class ElementPath {
 
  private:
   glm::dvec3 world(glm::dvec3 v) const { return v.x * forward_ + v.y * up_ + v.z * left_; }
-  ElementPoint point(const ElementRate& rate) const;
+  ElementPoint point(const ElementDerivatives& rate) const;
 
   glm::dvec3 forward_{1, 0, 0}, up_{0, 1, 0}, left_{0, 0, -1};
   glm::dvec3 start_up_;
@@ -130,11 +130,11 @@ double tangent_of(double angle);
 
 // The foot of a camelback, given by its steepest angle: a clothoid to 1/radius, a circle, and a clothoid through the
 // inflection to the parabola's curvature -bend. The other foot is its mirror image.
-struct Foot {
+struct HillFoot {
   double angle, radius, crest_bend;
   double first, second, arc;  // m: clothoids and circle
   double first_angle, second_angle;
-  Foot(double steepest, double least_radius, double p);
+  HillFoot(double steepest, double least_radius, double p);
   double length() const { return first + arc + second; }
   double bend(double u) const;
   double angle_at(double u) const;
@@ -142,8 +142,8 @@ struct Foot {
 };
 
 // Adds a foot upwards, or its mirror image downwards. `way`: 1 along the axes' forward, -1 against it.
-void add_foot_up(ElementPath& path, const Foot& foot);
-void add_foot_down(ElementPath& path, const Foot& foot, double way = 1);
+void add_foot_up(ElementPath& path, const HillFoot& foot);
+void add_foot_down(ElementPath& path, const HillFoot& foot, double way = 1);
 
 // Adds the parabola y = -x^2 / (2 p) over a crest from x = -edge to x = edge, rolled from one angle to another (rad).
 void add_parabola(ElementPath& path, double p, double edge, double way = 1, double from_roll = 0, double to_roll = 0);

@@ -43,10 +43,10 @@ void ease(ElementPath& path, bool upright) {
   path.add(length, [=](double u) {
     const double angle = k * (u - u * u / (2.0 * length)), rate = k * (1.0 - u / length);
     const auto [sin, cos] = base::sin_cos(angle);
-    return ElementRate{{cos, sin, 0},
-                       {-sin * rate, cos * rate, 0},
-                       upright ? dvec3(0) : curve::rotate(carried_here, {0, 0, 1}, angle),
-                       0};
+    return ElementDerivatives{{cos, sin, 0},
+                              {-sin * rate, cos * rate, 0},
+                              upright ? dvec3(0) : curve::rotate(carried_here, {0, 0, 1}, angle),
+                              0};
   });
 }
 
@@ -65,16 +65,16 @@ void add_straight(world::Element& element, ElementPath& path, bool upright, std:
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
   path.add(length, [=](double u) {
-    return ElementRate{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, roll * smooth_step(u / length)};
+    return ElementDerivatives{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}, roll * smooth_step(u / length)};
   });
 }
 
 // In the order of world::elements(). A straight is added by element_shape() itself.
-struct Adder {
+struct ElementShapeRow {
   void (*add)(ShapeTask& task);
   bool level;  // begins level: a sloping end is levelled first
 };
-constexpr Adder kAdders[] = {
+constexpr ElementShapeRow kAdders[] = {
     {nullptr, false},           {add_curve, false},          {add_helix, false},     {add_climb_or_dive, false},
     {add_climb_or_dive, false}, {add_camelback, true},       {add_loop, true},       {add_corkscrew, true},
     {add_s_bend, false},        {add_overbanked_turn, true}, {add_bunny_hops, true}, {add_zero_g_roll, true},
@@ -153,7 +153,7 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
     return shape;
   }
   double slope = head(path);
-  const Adder& adder = kAdders[static_cast<std::size_t>(element.kind)];
+  const ElementShapeRow& adder = kAdders[static_cast<std::size_t>(element.kind)];
   if (adder.level && std::abs(slope) > kLevel) {
     path.add(Bend{slope, 0, levelling_radius(element)});
     slope = 0;
@@ -180,19 +180,19 @@ struct Slope {
 
 // Returns a point of a turn over the length u in plan. `heading`: rad, positive to the right, with its derivative
 // `bend`.
-ElementRate plan_rate(double heading, double bend, Slope slope, double roll) {
+ElementDerivatives plan_rate(double heading, double bend, Slope slope, double roll) {
   const auto [sin, cos] = base::sin_cos(heading);
   return {{cos, slope.rise, -sin}, {-sin * bend, slope.change, -cos * bend}, glm::dvec3(0), roll};
 }
 
 // A turn in plan: ramp, circle, ramp, to one side.
-struct Round {
+struct BankedTurn {
   Bend bend;    // of the heading, positive to the right
   double bank;  // rad where the curvature is largest; proportional to the curvature elsewhere
   double roll(double u) const { return bank * bend.bend(u) * bend.radius; }
 };
 
-void add_round(ElementPath& path, const Round& round, const std::function<Slope(double)>& slope) {
+void add_round(ElementPath& path, const BankedTurn& round, const std::function<Slope(double)>& slope) {
   const double ramp = round.bend.ramp();
   path.add({ramp, round.bend.arc(), ramp},
            [&](double u) { return plan_rate(round.bend.angle(u), round.bend.bend(u), slope(u), round.roll(u)); });
@@ -207,7 +207,7 @@ double bank_of(const world::Element& element) {
                    : base::radians(world::value_of(element, "bank"));
 }
 
-Round round_of(const world::Element& element, double angle, double ramp = 0) {
+BankedTurn round_of(const world::Element& element, double angle, double ramp = 0) {
   return {{0, turn_side(element) * angle, world::value_of(element, "radius"), ramp}, bank_of(element)};
 }
 
@@ -280,7 +280,7 @@ void add_helix(ShapeTask& task) {
   if (world::value_of(task.element, "turns") > most)
     give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
   const double angle = 2.0 * kPi * world::value_of(task.element, "turns");
-  const Round round = round_of(task.element, angle);
+  const BankedTurn round = round_of(task.element, angle);
   const double ramp = round.bend.ramp(), whole = round.bend.length(), room = whole - ramp;
   const auto [sin, cos] = base::sin_cos(task.slope);
   const double first = sin / cos;
@@ -318,7 +318,7 @@ void add_overbanked_turn(ShapeTask& task) {
   constexpr double kMostCrest = 1.5;   // curvature of the crest, 24 h / length^2, relative to that of the plan
   const double angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
   widen(task, angle);
-  const Round round = round_of(task.element, angle);
+  const BankedTurn round = round_of(task.element, angle);
   const double side = turn_side(task.element), ramp = round.bend.ramp(), length = round.bend.length();
   if (const double most = std::min(kMostSlope * length * 25 * std::sqrt(5.0) / 192,
                                    kMostCrest * length * length / (24 * round.bend.radius));
@@ -350,7 +350,7 @@ namespace {
 // float.
 struct Hill {
   double p = 0;  // m
-  Foot foot;
+  HillFoot foot;
   double edge = 0;  // m, half the parabola's width
 };
 
@@ -364,14 +364,14 @@ Hill hill_of(ShapeTask& task, double least_rest = 1.15) {
                radius = world::value_of(task.element, "radius");
   const auto rise = [&](double angle) {
     const double tangent = tangent_of(angle);
-    return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
+    return HillFoot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
   };
   const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
-  return {p, Foot(angle, radius, p), p * tangent_of(angle)};
+  return {p, HillFoot(angle, radius, p), p * tangent_of(angle)};
 }
 
 // The valley between two equal hills: like both feet, without the clothoids at level track.
-void add_valley(ElementPath& path, const Foot& foot) {
+void add_valley(ElementPath& path, const HillFoot& foot) {
   const double arc = foot.radius * (foot.angle - foot.second_angle), half = arc + foot.second;  // m
   path.add({foot.second, 2 * arc, foot.second}, [&](double u) {
     const double off = std::abs(u - half), on_foot = foot.first + foot.arc + off - arc;

@@ -22,7 +22,7 @@ void add_winding(ElementPath& path, const Winding& w, double sin_axis, double si
   path.add({w.ramp(), w.arc(), w.ramp()}, [&](double u) {
     const auto [sin, cos] = base::sin_cos(w.turned(u));
     const dvec3 normal = cos * up - sin * across;
-    return ElementRate{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(u) * normal, normal, 0};
+    return ElementDerivatives{(sin_axis / cos_axis) * axis + cos * across + sin * up, w.bend(u) * normal, normal, 0};
   });
 }
 
@@ -59,7 +59,7 @@ struct HalfLoop {
 // which they float, as on a camelback's.
 struct RolledLoop {
   double p;  // m, of the parabola
-  Foot foot;
+  HillFoot foot;
   double edge;  // m, half the parabola's width
   HalfLoop loop;
 };
@@ -69,13 +69,13 @@ RolledLoop rolled_loop(ShapeTask& task, double below) {
   const double height = world::value_of(task.element, "height"), radius = world::value_of(task.element, "radius"),
                angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
   const double tangent = tangent_of(angle), cos = base::sin_cos(angle).cos;
-  const auto crest = [&](double p) { return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent; };
+  const auto crest = [&](double p) { return HillFoot(angle, radius, p).rise() + 0.5 * p * tangent * tangent; };
   const double least_p = std::max(4.0, 0.2 * height), least = std::sqrt(g * (least_p + 2 * (below + crest(least_p))));
   if (world::value_of(task.element, "speed") < least)
     give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
   const double speed = world::value_of(task.element, "speed"), energy = speed * speed / g;
   const double p = root(0.5 * least_p, energy, [&](double x) { return x + 2 * (below + crest(x)) - energy; });
-  const Foot foot(angle, radius, p);
+  const HillFoot foot(angle, radius, p);
   const double bend = cos * cos * cos / p, loop_rise = height + foot.rise();
   const double smallest =
       root(0.01 * loop_rise, loop_rise, [&](double r) { return HalfLoop(kPi - angle, r, bend).rise() - loop_rise; });
@@ -91,7 +91,7 @@ class HalfCobra {
   double arc() const { return up_.arc(); }
   double second() const { return second_; }
   double length() const { return ramp() + arc() + second_; }
-  ElementRate at(double u) const {
+  ElementDerivatives at(double u) const {
     const double rest = u - ramp() - arc(), r = up_.radius();
     const double angle = rest < 0
                              ? up_.turned(u)
@@ -149,7 +149,7 @@ void add_dive_loop(ShapeTask& task) {
   add_parabola(task.path, shape.p, shape.edge, 1, 0, kPi * to_the_right(task));
   task.path.add({loop.second, loop.first}, [&](double u) {
     const double left = loop.length() - u;
-    ElementRate rate = upright_rate(loop.angle_at(left), loop.bend(left));
+    ElementDerivatives rate = upright_rate(loop.angle_at(left), loop.bend(left));
     rate.d1 = -rate.d1;
     return rate;
   });
@@ -160,12 +160,12 @@ void add_cobra_roll(ShapeTask& task) {
   const HalfCobra half(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
   const dvec3 side(1, 1, -to_the_right(task)), mirror(1, 1, -1);
   task.path.add({half.ramp(), half.arc(), half.second()}, [&](double u) {
-    const ElementRate rate = half.at(u);
-    return ElementRate{side * rate.d1, side * rate.d2, side * rate.up, 0};
+    const ElementDerivatives rate = half.at(u);
+    return ElementDerivatives{side * rate.d1, side * rate.d2, side * rate.up, 0};
   });
   task.path.add({half.second(), half.arc(), half.ramp()}, [&](double u) {
-    const ElementRate rate = half.at(half.length() - u);
-    return ElementRate{-mirror * side * rate.d1, mirror * side * rate.d2, mirror * side * rate.up, 0};
+    const ElementDerivatives rate = half.at(half.length() - u);
+    return ElementDerivatives{-mirror * side * rate.d1, mirror * side * rate.d2, mirror * side * rate.up, 0};
   });
 }
 

@@ -44,7 +44,7 @@ struct ForceElementInput {
   glm::dvec3 left{0};
 
   double value(std::string_view name) const { return world::value_of(element, name); }
-  std::optional<ForceWalk> walk(const world::ForceProgram& program) const {
+  std::optional<ForceWalkEnd> walk(const world::ForceProgram& program) const {
     ForceTask whole = task;
     whole.program = program;
     return walk_force(whole);
@@ -121,7 +121,7 @@ RollShare share_of_roll(double time) {
 }
 
 // A turn during the search for its unknowns.
-struct Turn {
+struct ForceTurn {
   struct Unknowns {
     double hold = 0;            // s, time at full bank
     double lift = 0, tilt = 0;  // g and rad, additional during the roll-in
@@ -166,7 +166,7 @@ struct Turn {
 
 // A loop during the search for its unknowns: the time at full g, lateral g to the side and back, and the roll that
 // keeps it upright, in degrees per second.
-struct Loop {
+struct ForceLoop {
   const ForceElementInput& maker;
   double g;
 
@@ -190,8 +190,8 @@ ForceElement force_turn(const ForceElementInput& maker) {
                     degrees(maker.slope)));
   const double g = maker.value("g"), angle = radians(maker.value("angle")), v = maker.task.program.speed;
   const double pull = std::sqrt(g * g - 1), bank = base::arc_tangent(pull, 1);
-  const Turn turn{maker, g,   maker.element.right ? 1.0 : -1.0, std::max(kShortestRoll, degrees(bank) / kBankRate),
-                  angle, bank};
+  const ForceTurn turn{maker, g,   maker.element.right ? 1.0 : -1.0, std::max(kShortestRoll, degrees(bank) / kBankRate),
+                       angle, bank};
   // An error of the bank becomes one of the slope, and back, as sine and cosine of the angle turned. So lift and tilt
   // together level the end and bring it to the height of the start, except near whole turns, where they cannot do both.
   const auto off = [&](glm::dvec4 x) -> std::optional<glm::dvec4> {
@@ -253,7 +253,7 @@ ForceElement force_heartline(const ForceElementInput& maker) {
 }
 
 ForceElement force_loop(const ForceElementInput& maker) {
-  const Loop loop{maker, maker.value("g")};
+  const ForceLoop loop{maker, maker.value("g")};
   const double pitch = maker.slope + 2 * base::kPi, side = maker.element.right ? -1 : 1;  // the shift is to the left
   const auto plane = strength_for(maker, pitch, [&](double hold) { return loop.program(hold + kForceHold, 0, 0, 0); });
   if (!plane)

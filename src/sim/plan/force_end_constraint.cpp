@@ -125,7 +125,7 @@ std::optional<ForceBridge> force_bridge(const ForceTask& task, std::size_t parts
     const double at = bridge.length * static_cast<double>(i) / static_cast<double>(parts);
     while (k + 2 < places.size() && places[k + 1].at < at) ++k;
     const double share = (at - places[k].at) / (places[k + 1].at - places[k].at);
-    const ForceWanted wanted = law.wanted(at);
+    const ProgramValues wanted = law.wanted(at);
     const std::array<double, 3> keys{wanted.up.value, wanted.side.value, wanted.roll.value};
     std::array<double, 3>& more = bridge.more.emplace_back();
     for (std::size_t c = 0; c < 3; ++c) more[c] = std::lerp(places[k].has[c], places[k + 1].has[c], share) - keys[c];
@@ -171,7 +171,7 @@ std::array<double, 3> units_of(const world::ForceProgram& program) {
 }
 
 // The unknowns: what is added at each node but the first, by channel, and the length.
-struct Additions {
+struct KeyAdditions {
   std::vector<double> nodes;  // in g, or what counts as much; channel by channel
   double length = 0;          // m or s
 };
@@ -185,9 +185,9 @@ class HeldEndSolver {
   }
 
   std::optional<ForceTask> run() {
-    const Additions none{std::vector<double>(3 * nodes_, 0.0), task_.program.length};
-    std::optional<Additions> found = led_from(none, 1);
-    const std::optional<Additions> bridge = found ? std::nullopt : of_bridge();
+    const KeyAdditions none{std::vector<double>(3 * nodes_, 0.0), task_.program.length};
+    std::optional<KeyAdditions> found = led_from(none, 1);
+    const std::optional<KeyAdditions> bridge = found ? std::nullopt : of_bridge();
     if (!found && bridge) found = led_from(*bridge, 1);
     if (!found) found = led_from(none, kShortestStage);
     if (!found && bridge) found = led_from(*bridge, kShortestStage);
@@ -200,10 +200,10 @@ class HeldEndSolver {
   static constexpr double kNear = 0.01, kThere = 1e-6;  // of the conditions, in about metres
 
   // Returns what a bridge needs more than the keys ask for.
-  std::optional<Additions> of_bridge() const {
+  std::optional<KeyAdditions> of_bridge() const {
     const std::optional<ForceBridge> bridge = force_bridge(task_, nodes_);
     if (!bridge) return std::nullopt;
-    Additions x{{}, bridge->length};
+    KeyAdditions x{{}, bridge->length};
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 1; i <= nodes_; ++i) x.nodes.push_back(bridge->more[i][c] / units_[c]);
     return x;
@@ -211,21 +211,21 @@ class HeldEndSolver {
 
   // Leads the end from where these additions take it to where it is held, and the additions to the least ones, in as
   // few stages as go well, none shorter than that part of the way.
-  std::optional<Additions> led_from(Additions now, double shortest) {
+  std::optional<KeyAdditions> led_from(KeyAdditions now, double shortest) {
     const std::optional<End> first = missed(now, kCoarse);
     if (!first) return std::nullopt;
     first_ = *first, from_ = now.nodes;
     double done = 0;
     for (double by = 1; done < 1;) {
       const double share = std::min(done + by, 1.0);
-      if (std::optional<Additions> next = led(now, 1 - share)) now = std::move(*next), done = share, by *= 2;
+      if (std::optional<KeyAdditions> next = led(now, 1 - share)) now = std::move(*next), done = share, by *= 2;
       else if ((by /= 2) < shortest) return std::nullopt;
     }
     return now;
   }
 
   // Returns the stage at which `rest` of the first misses and of the first additions is left, from one near to it.
-  std::optional<Additions> led(Additions x, double rest) {
+  std::optional<KeyAdditions> led(KeyAdditions x, double rest) {
     const bool last = rest == 0;
     const int rounds = last ? 30 : 6;
     const double settled = last ? 5e-4 : 0.02, near = last ? kNear : 0.2;  // g, m
@@ -237,7 +237,7 @@ class HeldEndSolver {
     double part = 1, before = kMostStep;
     for (int round = 0; off && round < rounds && rounds_ < kMostRounds; ++round, ++rounds_) {
       set_slopes(x);
-      const std::optional<Additions> by = step_from(x, *off, towards);
+      const std::optional<KeyAdditions> by = step_from(x, *off, towards);
       if (!by) return std::nullopt;
       part = most_of(*by) > kShrinks * before ? std::max(part / 2, kLeastPart) : std::min(1.5 * part, 1.0);
       before = most_of(*by);
@@ -248,37 +248,37 @@ class HeldEndSolver {
     }
     return std::nullopt;
   }
-  std::optional<End> left_of(const Additions& x, double rest) const {
+  std::optional<End> left_of(const KeyAdditions& x, double rest) const {
     std::optional<End> off = missed(x, kCoarse);
     for (std::size_t e = 0; off && e < kEnd; ++e) (*off)[e] -= rest * first_[e];
     return off;
   }
 
   // Returns the task whose path ends in place, with additions within 0.001 g of those.
-  std::optional<ForceTask> exact(Additions x) const {
+  std::optional<ForceTask> exact(KeyAdditions x) const {
     for (int round = 0; round < 20; ++round) {
       const std::optional<End> off = missed(x, kFine);
       if (!off) return std::nullopt;
       if (size_of(*off) <= kThere) return with(x);
-      const std::optional<Additions> by = step_from(x, *off, x.nodes);
+      const std::optional<KeyAdditions> by = step_from(x, *off, x.nodes);
       if (!by || !(most_of(*by) < kMostStep)) return std::nullopt;
       add(x, *by, 1);
     }
     return std::nullopt;
   }
 
-  static double most_of(const Additions& by) {
+  static double most_of(const KeyAdditions& by) {
     double most = 0;
     for (const double node : by.nodes) most = std::max(most, std::abs(node));
     return most;
   }
-  static void add(Additions& x, const Additions& by, double part) {
+  static void add(KeyAdditions& x, const KeyAdditions& by, double part) {
     for (std::size_t k = 0; k < x.nodes.size(); ++k) x.nodes[k] += part * by.nodes[k];
     x.length += part * by.length;
   }
 
   // Returns the task with these additions: keys at equal distances with the slopes of parabolas, level at both ends.
-  ForceTask with(const Additions& x) const {
+  ForceTask with(const KeyAdditions& x) const {
     ForceTask task = task_;
     world::ForceProgram& added = task.added.emplace();
     added.over = task.program.over, added.length = x.length, added.speed = task.program.speed;
@@ -313,7 +313,7 @@ class HeldEndSolver {
                kBend * glm::dot(bend, left),
                kBend * (rates.spin - to.spin)};
   }
-  std::optional<End> missed(const Additions& x, double step) const {
+  std::optional<End> missed(const KeyAdditions& x, double step) const {
     if (!(x.length > 0 && x.length <= world::longest_of(task_.program.over))) return std::nullopt;
     const ForceTask task = with(x);
     const ForceLaw law(task);
@@ -326,10 +326,10 @@ class HeldEndSolver {
   }
 
   // Sets how the misses change with each unknown, the length last; to nothing where that is not known.
-  void set_slopes(const Additions& now) {
+  void set_slopes(const KeyAdditions& now) {
     constexpr double kBy = 1e-6;  // of the length
     const ForceTask task = with(now);
-    Additions longer = now;
+    KeyAdditions longer = now;
     longer.length *= 1 + kBy;
     const auto found = end_slopes(ForceLaw(task), now.length, nodes_,
                                   [&](const ForceRates& rates, const ForceState& s) { return missed_by(rates, s); });
@@ -346,7 +346,8 @@ class HeldEndSolver {
   double weight(std::size_t k) const { return k % nodes_ + 1 == nodes_ ? 0.5 : 1.0; }
 
   // Returns the step that, to first order, leads to the end, and to the additions nearest to those of `towards`.
-  std::optional<Additions> step_from(const Additions& now, const End& off, const std::vector<double>& towards) const {
+  std::optional<KeyAdditions> step_from(const KeyAdditions& now, const End& off,
+                                        const std::vector<double>& towards) const {
     std::array<std::array<double, kEnd + 1>, kEnd + 1> a{};
     std::array<double, kEnd + 1> b{};
     for (std::size_t e = 0; e < kEnd; ++e) {
@@ -358,7 +359,7 @@ class HeldEndSolver {
       a[e][kEnd] = a[kEnd][e] = slopes_.back()[e];
     }
     if (!base::solve_linear(a, b)) return std::nullopt;
-    Additions by{towards, b[kEnd]};
+    KeyAdditions by{towards, b[kEnd]};
     for (std::size_t k = 0; k < 3 * nodes_; ++k) {
       by.nodes[k] -= now.nodes[k];
       for (std::size_t e = 0; e < kEnd; ++e) by.nodes[k] += slopes_[k][e] * b[e] / weight(k);

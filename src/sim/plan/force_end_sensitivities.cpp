@@ -24,15 +24,15 @@ struct RateChange {
   double square = 0;
 };
 
-struct Row {
+struct AdjointRow {
   dvec3 place{0}, turn{0};
   double square = 0;
 };
-double times(const Row& row, const RateChange& change) {
+double times(const AdjointRow& row, const RateChange& change) {
   return glm::dot(row.turn, change.turn) + row.square * change.square;
 }
 
-struct Sample {
+struct AdjointSample {
   dvec3 tangent{0};
   double metres = 0, metres_by_square = 0;
   RateChange by_x, by_z, by_square;  // by turns about two axes of the world
@@ -40,11 +40,11 @@ struct Sample {
 };
 
 // Per unit of the axis: the turn about tangent, up and left, and the change of the squared speed.
-struct Body {
+struct AxisRates {
   dvec3 turn;
   double square;
 };
-Body body_of(const ForceLaw& law, const ForceWanted& wanted, const ForceState& s) {
+AxisRates body_of(const ForceLaw& law, const ProgramValues& wanted, const ForceState& s) {
   const ForceRates r = law.rates_for(wanted, s);
   const double metres = law.metres_per_unit(s);
   const dvec3 left = glm::cross(s.up, s.tangent);
@@ -60,23 +60,23 @@ ForceState faster(ForceState s, double by) {
   return s;
 }
 // Returns a number of `wanted`, by input.
-double& input_of(ForceWanted& wanted, std::size_t input) {
+double& input_of(ProgramValues& wanted, std::size_t input) {
   ForceCurve::Value* const values[] = {&wanted.up, &wanted.side, &wanted.roll, &wanted.roll};
   return input + 1 < kInputs ? values[input]->value : values[input]->slope;
 }
 
 // By differences to both sides, so that what is symmetric stays so: a plane section has no reason to leave its plane.
-Sample sample_at(const ForceLaw& law, double x, const ForceState& s) {
-  const ForceWanted wanted = law.wanted(x);
+AdjointSample sample_at(const ForceLaw& law, double x, const ForceState& s) {
+  const ProgramValues wanted = law.wanted(x);
   const dvec3 left = glm::cross(s.up, s.tangent);
-  const auto change = [&](const Body& less, const Body& more, double by) {
+  const auto change = [&](const AxisRates& less, const AxisRates& more, double by) {
     const dvec3 turn = (more.turn - less.turn) / (2 * by);
     return RateChange{turn.x * s.tangent + turn.y * s.up + turn.z * left, (more.square - less.square) / (2 * by)};
   };
   const auto by_state = [&](const ForceState& less, const ForceState& more, double by) {
     return change(body_of(law, wanted, less), body_of(law, wanted, more), by);
   };
-  Sample sample;
+  AdjointSample sample;
   sample.tangent = s.tangent, sample.metres = law.metres_per_unit(s);
   sample.by_x = by_state(turned(s, {-kChange, 0, 0}), turned(s, {kChange, 0, 0}), kChange);
   sample.by_z = by_state(turned(s, {0, 0, -kChange}), turned(s, {0, 0, kChange}), kChange);
@@ -85,7 +85,7 @@ Sample sample_at(const ForceLaw& law, double x, const ForceState& s) {
   sample.by_square = by_state(slower, quicker, by);
   sample.metres_by_square = (law.metres_per_unit(quicker) - law.metres_per_unit(slower)) / (2 * by);
   for (std::size_t i = 0; i < kInputs; ++i) {
-    ForceWanted less = wanted, more = wanted;
+    ProgramValues less = wanted, more = wanted;
     input_of(less, i) -= kChange, input_of(more, i) += kChange;
     sample.by_input[i] = change(body_of(law, less, s), body_of(law, more, s), kChange);
   }
@@ -93,13 +93,13 @@ Sample sample_at(const ForceLaw& law, double x, const ForceState& s) {
 }
 
 // Returns the change of a row per unit backwards.
-Row backwards(const Row& row, const Sample& at) {
-  Row rate;
+AdjointRow backwards(const AdjointRow& row, const AdjointSample& at) {
+  AdjointRow rate;
   rate.turn = at.metres * glm::cross(at.tangent, row.place) + dvec3(times(row, at.by_x), 0, times(row, at.by_z));
   rate.square = at.metres_by_square * glm::dot(row.place, at.tangent) + times(row, at.by_square);
   return rate;
 }
-Row moved(const Row& row, const Row& rate, double by) {
+AdjointRow moved(const AdjointRow& row, const AdjointRow& rate, double by) {
   return {row.place, row.turn + by * rate.turn, row.square + by * rate.square};
 }
 
@@ -118,7 +118,7 @@ struct ByNodes {
     for (auto* const lists : {&values, &slopes}) lists->fill(std::vector<double>(nodes + 1, 0.0));
   }
   // Adds the effect of a sample in the gap behind a node, where the row is this one.
-  void add(std::size_t node, const Row& row, const Sample& at, const Hermite& curve, double weight) {
+  void add(std::size_t node, const AdjointRow& row, const AdjointSample& at, const Hermite& curve, double weight) {
     for (std::size_t i = 0; i < kInputs; ++i) {
       const std::size_t c = std::min<std::size_t>(i, 2);
       const std::array<double, 4>& by = i + 1 < kInputs ? curve.value : curve.slope;
@@ -136,7 +136,7 @@ class Adjoint {
 
   std::optional<std::vector<EndMiss>> run() {
     if (!sample_path()) return std::nullopt;
-    const std::optional<std::vector<Row>> rows = rows_at_end();
+    const std::optional<std::vector<AdjointRow>> rows = rows_at_end();
     if (!rows) return std::nullopt;
     std::vector<EndMiss> slopes(3 * nodes_, EndMiss{});
     for (std::size_t e = 0; e < rows->size(); ++e) {
@@ -165,11 +165,11 @@ class Adjoint {
 
   // Returns the derivatives of each condition by the place, the frame and the speed at the end, and sets those by what
   // is added there.
-  std::optional<std::vector<Row>> rows_at_end() {
-    const ForceWanted wanted = law_.wanted(length_);
-    std::vector<Row> rows(EndMiss{}.size());
+  std::optional<std::vector<AdjointRow>> rows_at_end() {
+    const ProgramValues wanted = law_.wanted(length_);
+    std::vector<AdjointRow> rows(EndMiss{}.size());
     bool good = true;
-    const auto at = [&](const ForceWanted& want, const ForceState& s) { return miss_(law_.rates_for(want, s), s); };
+    const auto at = [&](const ProgramValues& want, const ForceState& s) { return miss_(law_.rates_for(want, s), s); };
     const auto differ = [&](const std::optional<EndMiss>& less, const std::optional<EndMiss>& more, double by,
                             const auto& put) {
       good = good && less && more;
@@ -189,28 +189,28 @@ class Adjoint {
     differ(at(wanted, faster(last_, -by)), at(wanted, faster(last_, by)), by,
            [&](std::size_t e, double slope) { rows[e].square = slope; });
     for (std::size_t c = 0; c < 3; ++c) {
-      ForceWanted less = wanted, more = wanted;
+      ProgramValues less = wanted, more = wanted;
       input_of(less, c) -= kChange, input_of(more, c) += kChange;
       differ(at(less, last_), at(more, last_), kChange, [&](std::size_t e, double slope) { at_end_[c][e] = slope; });
     }
     return good ? std::optional(std::move(rows)) : std::nullopt;
   }
 
-  ByNodes go_back(Row row, std::size_t condition) const {
+  ByNodes go_back(AdjointRow row, std::size_t condition) const {
     ByNodes by(nodes_);
     for (std::size_t c = 0; c < 3; ++c) by.values[c].back() = at_end_[c][condition];
     const double step = 2 * gap_ / static_cast<double>(parts_);
     for (std::size_t node = nodes_; node-- > 0;)
       for (std::size_t part = parts_; part > 0; part -= 2) {
         const std::size_t k = node * parts_ + part;
-        const Sample &from = samples_[k], &middle = samples_[k - 1], &to = samples_[k - 2];
+        const AdjointSample &from = samples_[k], &middle = samples_[k - 1], &to = samples_[k - 2];
         const auto curve = [&](std::size_t at) {
           return Hermite(static_cast<double>(at) / static_cast<double>(parts_), gap_);
         };
         const Hermite in_middle = curve(part - 1);
-        const Row r1 = backwards(row, from), row2 = moved(row, r1, step / 2), r2 = backwards(row2, middle),
-                  row3 = moved(row, r2, step / 2), r3 = backwards(row3, middle), row4 = moved(row, r3, step),
-                  r4 = backwards(row4, to);
+        const AdjointRow r1 = backwards(row, from), row2 = moved(row, r1, step / 2), r2 = backwards(row2, middle),
+                         row3 = moved(row, r2, step / 2), r3 = backwards(row3, middle), row4 = moved(row, r3, step),
+                         r4 = backwards(row4, to);
         by.add(node, row, from, curve(part), step / 6), by.add(node, row2, middle, in_middle, step / 3);
         by.add(node, row3, middle, in_middle, step / 3), by.add(node, row4, to, curve(part - 2), step / 6);
         row = moved(moved(moved(moved(row, r1, step / 6), r2, step / 3), r3, step / 3), r4, step / 6);
@@ -231,8 +231,8 @@ class Adjoint {
   double length_;
   std::size_t nodes_;
   double gap_;
-  std::size_t parts_ = 0;        // between nodes, an even number
-  std::vector<Sample> samples_;  // from the start to the end
+  std::size_t parts_ = 0;               // between nodes, an even number
+  std::vector<AdjointSample> samples_;  // from the start to the end
   ForceState last_;
   std::array<EndMiss, 3> at_end_{};  // by channel
 };

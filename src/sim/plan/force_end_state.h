@@ -14,7 +14,7 @@
 namespace coaster::sim {
 
 // The end of a walk. Angles accumulate from the horizon or from the start: a loop adds 2 pi to the pitch.
-struct ForceWalk {
+struct ForceWalkEnd {
   ForceState end;
   double pitch = 0;      // rad above the horizon, about the start's left
   double heading = 0;    // rad, to the left, about the vertical
@@ -36,10 +36,10 @@ inline void follow_angle(double& sum, double& before, double now) {
 // Follows the task's program to its end in steps of about a third of a metre; positions are within a centimetre of
 // force_path's. Nothing if the train falls below the least speed (world::kSlowestForce), if no curvature gives the
 // required g, or if the program exceeds the largest length.
-inline std::optional<ForceWalk> walk_force(const ForceTask& task) {
+inline std::optional<ForceWalkEnd> walk_force(const ForceTask& task) {
   if (!(task.program.length <= world::longest_of(task.program.over))) return std::nullopt;
   const ForceLaw law(task);
-  ForceWalk walk;
+  ForceWalkEnd walk;
   ForceState& state = walk.end = law.start();
   const glm::dvec3 start = state.position, up(0, 1, 0), left = glm::normalize(glm::cross(up, state.tangent)),
                    ahead = glm::cross(left, up);

@@ -90,11 +90,12 @@ std::size_t fewest_points(const ForceTask& task, const ForcePath& path, std::siz
 }
 
 // Finds the largest length of single spans.
-class Reach {
+class LongestSpanSearch {
  public:
   // `at_ends`: the fraction of the tolerance that a span may use at its knots. Joints combine the errors of
   // neighbouring spans there, so a span may not use all of it.
-  Reach(const ForceTask& task, const ForcePath& path, double at_ends) : task_(task), path_(path), at_ends_(at_ends) {}
+  LongestSpanSearch(const ForceTask& task, const ForcePath& path, double at_ends)
+      : task_(task), path_(path), at_ends_(at_ends) {}
 
   // Returns the ends of spans that are each as long as possible, from the first point on or from the last one back. The
   // span before the last one leaves that its fewest points.
@@ -143,7 +144,7 @@ class Reach {
   double at_ends_;
 };
 
-struct Attempt : curve::SpanTrial {
+struct ForceFitAttempt : curve::SpanTrial {
   Spans spans;
   std::vector<SpanError> errors;
   std::vector<double> strains;  // of the spans: the largest error as a part of what is allowed
@@ -173,10 +174,10 @@ double jump_strain(const ForceTask& task, const Spans& spans, std::size_t knot) 
   return spans.strains[knot] > 1 ? std::max(strain, spans.strains[knot]) : strain;
 }
 
-Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at, double share) {
+ForceFitAttempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at, double share) {
   constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel slightly more
   constexpr double kEasiest = 0.1, kHardest = 2.5;
-  Attempt now{{std::move(at), {}}, {}, {}, {}, {}};
+  ForceFitAttempt now{{std::move(at), {}}, {}, {}, {}, {}};
   now.spans = make_spans(path.curve, now.ends, shift_at(task, path, now.ends, share));
   for (std::size_t k = 0; k + 1 < now.ends.size(); ++k) {
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
@@ -193,18 +194,18 @@ Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<s
   return now;
 }
 
-Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
-  Attempt best = attempt_with(task, path, at, 0.25);
+ForceFitAttempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
+  ForceFitAttempt best = attempt_with(task, path, at, 0.25);
   for (const double share : {1.0, 4.0}) {
     if (std::max(jump_strain(task, best.spans, 0), jump_strain(task, best.spans, at.size() - 1)) <= 1) break;
-    Attempt farther = attempt_with(task, path, at, share);
+    ForceFitAttempt farther = attempt_with(task, path, at, share);
     if (farther.strain < best.strain) best = std::move(farther);
   }
   return best;
 }
 
 // Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
-std::size_t longer(const Attempt& attempt, std::size_t k) {
+std::size_t longer(const ForceFitAttempt& attempt, std::size_t k) {
   if (attempt.errors[k].felt.error >= kNoSpan) return k;
   const auto length = [&](std::size_t i) { return attempt.ends[i + 1] - attempt.ends[i]; };
   const std::size_t worst = attempt.errors[k].felt.at;
@@ -215,7 +216,7 @@ std::size_t longer(const Attempt& attempt, std::size_t k) {
 
 // Halves spans until none fails or none can be halved. Those that do not follow the path are halved even where
 // rounding will then be felt.
-Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
+ForceFitAttempt mended(const ForceTask& task, const ForcePath& path, ForceFitAttempt now) {
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds && !now.holds; ++round) {
     std::vector<std::size_t> spans;
@@ -234,7 +235,7 @@ constexpr std::size_t kEasing = 12'000;  // points of paths that easing may try:
 
 // Moves single knots near the span with the largest strain as long as that strain falls and spans fail. `budget`:
 // points of paths that may still be tried.
-void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_t& budget) {
+void ease(const ForceTask& task, const ForcePath& path, ForceFitAttempt& now, std::size_t& budget) {
   const auto moved = [&](std::size_t knot, int by) {
     const auto place = static_cast<std::ptrdiff_t>(now.ends[knot]) + by;
     const bool room = place > static_cast<std::ptrdiff_t>(now.ends[knot - 1]) &&
@@ -243,7 +244,7 @@ void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_
     budget -= path.points.size();
     std::vector<std::size_t> at = now.ends;
     at[knot] = static_cast<std::size_t>(place);
-    Attempt next = attempt(task, path, at);
+    ForceFitAttempt next = attempt(task, path, at);
     if (!(next.strain < 0.999 * now.strain)) return false;
     now = std::move(next);
     return true;
@@ -265,38 +266,38 @@ void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_
 }
 
 // Tries one span fewer, evened out over several rounds and eased, until that fails.
-void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
+void even_out(const ForceTask& task, const ForcePath& path, ForceFitAttempt& best) {
   constexpr int kRounds = 5;
   constexpr std::size_t kEased = 200;  // points of the longest path that is eased
   std::size_t budget = path.points.size() <= kEased ? kEasing : 0;
   curve::remove_spans(
       best, kRounds, [&](std::vector<std::size_t> ends) { return attempt(task, path, ends); },
-      [&](Attempt& least) {
+      [&](ForceFitAttempt& least) {
         ease(task, path, least, budget);
         return least.holds;
       });
 }
 
 // Returns spans that are as long as possible, built from the start, from the end, or from both to the middle.
-Attempt best_places(const ForceTask& task, const ForcePath& path) {
+ForceFitAttempt best_places(const ForceTask& task, const ForcePath& path) {
   constexpr std::size_t kShort = 600;  // points: longer paths are tried once and not evened out
   const bool quick = path.points.size() > kShort;
-  std::optional<Attempt> best;
+  std::optional<ForceFitAttempt> best;
   for (const double at_ends : {0.95, 0.7, 0.5}) {
     if (quick && at_ends > 0.5) continue;
-    Reach reach(task, path, at_ends);
+    LongestSpanSearch reach(task, path, at_ends);
     const std::vector<std::size_t> first = reach.ends(false), second = reach.ends(true);
     std::vector<std::vector<std::size_t>> places{second, first};
     if (first.size() == second.size())
       for (std::size_t k = 0; k < first.size(); ++k) places[0][k] = (first[k] + second[k]) / 2;
     for (const std::vector<std::size_t>& at : places) {
-      Attempt now = attempt(task, path, at);
+      ForceFitAttempt now = attempt(task, path, at);
       if (!best || now.failing.size() < best->failing.size()) best = std::move(now);
       if (best->holds) break;
     }
     if (best->holds) break;
   }
-  Attempt done = mended(task, path, std::move(*best));
+  ForceFitAttempt done = mended(task, path, std::move(*best));
   std::size_t budget = kEasing;
   ease(task, path, done, budget);
   if (done.holds && !quick) even_out(task, path, done);
@@ -311,7 +312,7 @@ FeltError felt_error(const ForceTask& task, const ForcePath& path, std::size_t f
 }
 
 ForceFit fit_force(const ForceTask& task, const ForcePath& path) {
-  Attempt now = best_places(task, path);
+  ForceFitAttempt now = best_places(task, path);
   ForceFit fit;
   fit.within = now.holds;
   for (const SpanError& error : now.errors) {

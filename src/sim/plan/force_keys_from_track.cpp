@@ -214,15 +214,15 @@ namespace {
 constexpr double kReadStep = 0.5;  // m between readings
 
 // The values felt along the run, by channel.
-struct Readings {
+struct FeltAlongRun {
   std::array<std::vector<double>, 3> values;
   double step = 0;      // m
   std::string refusal;  // why keys cannot describe the run
 };
 
-Readings readings_of(const TrackRun& run, const ForceTask& start) {
+FeltAlongRun readings_of(const TrackRun& run, const ForceTask& start) {
   const auto steps = static_cast<std::size_t>(std::ceil(run.length() / kReadStep));
-  Readings readings;
+  FeltAlongRun readings;
   readings.step = run.length() / static_cast<double>(steps);
   const ForceLaw law(start);
   ForceState state = law.start();
@@ -256,7 +256,7 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
 
 // Returns lateral keys at the positions of the roll's keys: riders above the curve feel the roll's change sideways, and
 // its slope changes its formula there.
-std::vector<ForceKey> beside_roll(const Readings& readings, const ForceTask& task) {
+std::vector<ForceKey> beside_roll(const FeltAlongRun& readings, const ForceTask& task) {
   std::vector<ForceKey> keys = task.program.keys(world::ForceChannel::roll);
   for (ForceKey& key : keys) {
     const auto index = static_cast<std::size_t>(key.at / readings.step + 0.5);
@@ -267,7 +267,7 @@ std::vector<ForceKey> beside_roll(const Readings& readings, const ForceTask& tas
 
 // Returns keys with values of the readings, between which their curves differ from the readings by at most `unit` g, or
 // 10 times as many degrees per metre. Each key is added at the largest error.
-void put_keys(const Readings& readings, double unit, ForceTask& task) {
+void put_keys(const FeltAlongRun& readings, double unit, ForceTask& task) {
   for (std::size_t c = 0; c < 3; ++c)
     task.program.channels[c] = {{0, readings.values[c].front()}, {task.program.length, readings.values[c].back()}};
   for (const std::size_t c : {2, 0, 1}) {  // riders feel the roll's slope sideways
@@ -317,9 +317,9 @@ ElementPoint TrackRun::at(double s) const {
           shape.roll.spin(local)};
 }
 
-OffRun off_run(const TrackRun& run, const std::vector<world::Knot>& knots) {
+RunDeviation off_run(const TrackRun& run, const std::vector<world::Knot>& knots) {
   constexpr int kPlaces = 16;
-  OffRun off;
+  RunDeviation off;
   double way = 0;
   std::size_t index = run.first;
   for (std::size_t k = 1; k < knots.size(); ++k) {
@@ -363,7 +363,7 @@ RunForcePlan read_forces(const TrackRun& run, const ForceTask& start) {
   task.program.over = world::ForceDomain::distance, task.program.length = run.length();
   for (auto& keys : task.program.channels) keys.clear();
   if (const auto wrong = world::broken(task.program)) best.refusal = *wrong;
-  const Readings readings = best.refusal.empty() ? readings_of(run, task) : Readings{};
+  const FeltAlongRun readings = best.refusal.empty() ? readings_of(run, task) : FeltAlongRun{};
   if (!readings.refusal.empty()) best.refusal = readings.refusal;
   if (!best.refusal.empty()) return best;
   const ForceGoal goal{[&](double s) { return run.at(s); }, run.at(run.length())};
@@ -382,7 +382,7 @@ RunForcePlan read_forces(const TrackRun& run, const ForceTask& start) {
         break;
       }
       if (!ends_there(plan, goal.end)) break;
-      const OffRun off = off_run(run, plan.fit.spans.knots);
+      const RunDeviation off = off_run(run, plan.fit.spans.knots);
       if (off.error < best.error) best = {std::move(plan), off.error, off.at, {}};
       if (best.error <= kKeptShape) return best;
       if (tolerance <= world::kLeastTolerance) break;

@@ -61,9 +61,9 @@ struct RunForcePlan {
 RunForcePlan read_forces(const TrackRun& run, const ForceTask& start);
 
 // Returns the largest distance of spans from the run, each measured at 16 points.
-struct OffRun {
+struct RunDeviation {
   double error = 0, at = 0;  // m, m from the spans' start
 };
-OffRun off_run(const TrackRun& run, const std::vector<world::Knot>& knots);
+RunDeviation off_run(const TrackRun& run, const std::vector<world::Knot>& knots);
 
 }  // namespace coaster::sim

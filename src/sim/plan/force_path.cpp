@@ -216,10 +216,10 @@ FeltG felt_on(const ForceState& s, const ForceRates& track, double d) {
       square / g * (to_left - d * (to_left * to_up + track.spin_slope)) - track.along / g * d * track.spin + left.y};
 }
 
-ForceWanted ForceLaw::wanted(double x) const {
+ProgramValues ForceLaw::wanted(double x) const {
   const Asked up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
               roll = asked(ForceChannel::roll, x);
-  ForceWanted wanted{
+  ProgramValues wanted{
       {up.value, up.slope}, {side.value, side.slope}, {roll.value, roll.slope}, {up.value, side.value, roll.value}};
   if (of_curvature_) wanted.roll = {roll.slope, roll.bend};
   for (std::size_t c = 0; c < added_.size(); ++c) {
@@ -231,7 +231,7 @@ ForceWanted ForceLaw::wanted(double x) const {
 }
 
 // Inverts felt g = (s'' h' + s'^2 h'')/g + up (sim/shape/rail_tables.h) for the curvature towards up and left.
-ForceRates ForceLaw::rates_for(const ForceWanted& wanted, const ForceState& s) const {
+ForceRates ForceLaw::rates_for(const ProgramValues& wanted, const ForceState& s) const {
   const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6);
   const dvec3 left = glm::cross(s.up, s.tangent);
   ForceRates r;
@@ -340,7 +340,7 @@ class Integration {
   double rails_height_of(const ForceState& s) const { return s.position.y + task_.rails * s.up.y; }
 
   void add(ForcePath& path, const ForceState& s, double x) const {
-    const ForceWanted wanted = law_.wanted(x);
+    const ProgramValues wanted = law_.wanted(x);
     const ForceRates r = law_.rates_for(wanted, s);
     FeltG felt{wanted.up.value, wanted.side.value};
     if (task_.program.of == world::ForceQuantity::curvature) felt = felt_on(s, r, task_.riders);

@@ -66,7 +66,7 @@ struct ForceState {
 };
 
 // What a program wants at a position, with the ramp and with what is added.
-struct ForceWanted {
+struct ProgramValues {
   ForceCurve::Value up, side, roll;  // g or 1/m; the rate of roll, deg/m or deg/s, of curvature too
   std::array<double, 3> asked{};     // by channel, in the keys' units, without what is added
   std::array<double, 3> added{};     // by channel: the part of `up`, `side` and `roll` that is added to end as held
@@ -109,8 +109,8 @@ class ForceLaw {
   double along(const ForceState& state) const;
   // After a step: a train that equipment brings to its speed in between is at that speed, and brakes change over.
   void settle(const ForceState& before, ForceState& next) const;
-  ForceWanted wanted(double x) const;
-  ForceRates rates_for(const ForceWanted& wanted, const ForceState& state) const;
+  ProgramValues wanted(double x) const;
+  ForceRates rates_for(const ProgramValues& wanted, const ForceState& state) const;
   ForceRates rates(double x, const ForceState& state) const { return rates_for(wanted(x), state); }
   // Returns `up`, `side` and `roll` of what a program wants that has that track.
   std::array<double, 3> has(const ForceState& state, const ForceRates& track) const;

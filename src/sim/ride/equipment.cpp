@@ -41,9 +41,9 @@ bool stops(const EquipmentSpan& span) { return acts_of(span.equipment.kind).stop
 bool brakes(const EquipmentSpan& span) { return acts_of(span.equipment.kind).brakes; }
 
 // What the spans that were looked at so far do together.
-class Driving {
+class CombinedDrive {
  public:
-  explicit Driving(const TrainMoment& now) : now_(now) {}
+  explicit CombinedDrive(const TrainMoment& now) : now_(now) {}
   const Drive& drive() const { return drive_; }
   double acceleration() const { return drive_.net ? drive_.acceleration : now_.free() + drive_.acceleration; }
   void add(double acceleration) { drive_.acceleration += drive_.held ? 0.0 : acceleration; }
@@ -74,12 +74,12 @@ class Driving {
 double dispatch_speed(const world::Equipment& e) { return std::max<double>(e.speed, kCreep); }
 
 // Pushes a train until it has the speed `to`, and keeps it from falling below.
-void push(const world::Equipment& e, double to, double speed, Driving& driving) {
+void push(const world::Equipment& e, double to, double speed, CombinedDrive& driving) {
   const int fast = driving.compare(speed, to, e);
   if (fast <= 0) driving.at_least(fast < 0 ? double{e.acceleration} : 0.0);
 }
 
-void lift(const world::Equipment& e, double speed, Driving& driving) {
+void lift(const world::Equipment& e, double speed, CombinedDrive& driving) {
   if (driving.compare(speed, 0, e) < 0) return driving.hold();  // the ratchet catches a train that rolls back
   push(e, e.speed, speed, driving);
 }
@@ -89,14 +89,14 @@ bool too_slow(const world::Equipment& e, double speed) { return std::abs(speed) 
 
 // True if a launch, or a brake that works, is at a speed that it keeps. A brake holds a train at rest; with next to no
 // hysteresis it would switch many times a tick, and keeps its lower speed.
-bool keeps(const world::Equipment& e, double speed, const Driving& driving) {
+bool keeps(const world::Equipment& e, double speed, const CombinedDrive& driving) {
   if (e.kind == EquipmentKind::launch) return driving.compare(speed, e.speed, e) == 0;
   const bool low = e.hysteresis < kNarrow && driving.compare(std::abs(speed), e.speed - e.hysteresis, e) == 0;
   return low || driving.compare(speed, 0, e) == 0;
 }
 
 // Adds the force of a launch or brake of which a share of the train is on it, or keeps the speed by it.
-void act(const world::Equipment& e, double share, double speed, Driving& driving) {
+void act(const world::Equipment& e, double share, double speed, CombinedDrive& driving) {
   const double most = e.acceleration * share, sign = speed > 0 ? 1.0 : -1.0;
   const bool launches = e.kind == EquipmentKind::launch, rests = driving.compare(speed, 0, e) == 0;
   if (!keeps(e, speed, driving)) return driving.add(launches ? most : -sign * most);
@@ -113,7 +113,7 @@ double stopping_point(const EquipmentSpan& span, const TrainPlace& train) {
 
 // Drives a train to its stopping point along v^2 = 2 a d, and on from there. The brake is three times as strong as
 // that needs. `left`: m to where it comes to rest.
-void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now, Driving& driving,
+void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now, CombinedDrive& driving,
                  ControlState& state) {
   const world::Equipment& e = span.equipment;
   const double push = e.acceleration, cruise = dispatch_speed(e);
@@ -134,7 +134,8 @@ void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now,
 // What a piece does to a train now, in the order in which it is done: those that keep a speed follow those that add to
 // the acceleration, and see the sum, so that no two take turns. The tyres that dispatch a train push beside a launch.
 enum class Role { dispatch, add, keep, lift, hold, stop, none };
-Role role_of(const Contact& contact, double speed, bool way_free, const ControlState& state, const Driving& driving) {
+Role role_of(const EquipmentContact& contact, double speed, bool way_free, const ControlState& state,
+             const CombinedDrive& driving) {
   const world::Equipment& e = contact.span->equipment;
   if (e.kind == EquipmentKind::lift) return Role::lift;
   if (stops(*contact.span)) {
@@ -199,18 +200,20 @@ const Contacts& TrainContacts::update(std::span<const EquipmentSpan> spans, cons
 
 Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMoment& now, bool way_free,
                ControlState& state) {
-  Driving driving(now);
+  CombinedDrive driving(now);
   const auto any = [&](auto is) { return std::any_of(contacts.on.begin(), contacts.on.end(), is); };
-  if (!any([](const Contact& c) { return stops(*c.span); })) state.dwell = 0;
-  const bool on = any([&](const Contact& c) { return brakes(*c.span) && too_fast(c.span->equipment, now.speed); });
-  const bool keeps = any([&](const Contact& c) { return brakes(*c.span) && !too_slow(c.span->equipment, now.speed); });
+  if (!any([](const EquipmentContact& c) { return stops(*c.span); })) state.dwell = 0;
+  const bool on =
+      any([&](const EquipmentContact& c) { return brakes(*c.span) && too_fast(c.span->equipment, now.speed); });
+  const bool keeps =
+      any([&](const EquipmentContact& c) { return brakes(*c.span) && !too_slow(c.span->equipment, now.speed); });
   state.braking = on || (state.braking && keeps);
-  for (const Contact& contact : contacts.on) {
+  for (const EquipmentContact& contact : contacts.on) {
     const bool rests = contact.front && driving.compare(now.speed, 0, contact.span->equipment) == 0;
     if (contact.span->equipment.kind == EquipmentKind::block && rests && way_free && state.dwell == 0) state.dwell = -1;
   }
   for (const Role role : {Role::dispatch, Role::add, Role::keep, Role::lift, Role::hold, Role::stop})
-    for (const Contact& contact : contacts.on) {
+    for (const EquipmentContact& contact : contacts.on) {
       const world::Equipment& e = contact.span->equipment;
       if (role_of(contact, now.speed, way_free, state, driving) != role) continue;
       if (role == Role::lift) lift(e, now.speed, driving);

@@ -45,7 +45,7 @@ struct TrackExtent {
 };
 
 // The equipment that a train is on.
-struct Contact {
+struct EquipmentContact {
   const EquipmentSpan* span;
   double share;  // of the cars that are on it
   bool front;    // the first car is
@@ -53,7 +53,7 @@ struct Contact {
 // That of all spans, and how far the train can move until it changes: -behind..ahead m. A car on a border counts as
 // past it, in the direction of the motion.
 struct Contacts {
-  std::vector<Contact> on;
+  std::vector<EquipmentContact> on;
   double behind = 0, ahead = 0;
   bool back = false;  // the train moves backwards
 };

@@ -98,9 +98,9 @@ void set_reference(const world::Document& document, const DerivedTrack& derived,
 }
 
 // The index of each segment in the order of travel. For many trains it is a table.
-class Order {
+class SegmentIndices {
  public:
-  Order(const DerivedTrack& derived, std::size_t trains) : derived_(derived) {
+  SegmentIndices(const DerivedTrack& derived, std::size_t trains) : derived_(derived) {
     constexpr std::size_t kFew = 4;
     if (trains <= kFew) return;
     for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -120,7 +120,7 @@ class Order {
   std::vector<std::size_t> table_;  // by entity index
 };
 
-world::TrainMotion begin(const world::Document& document, const DerivedTrack& derived, const Order& order,
+world::TrainMotion begin(const world::Document& document, const DerivedTrack& derived, const SegmentIndices& order,
                          world::Entity entity, const world::Train& design) {
   world::TrainMotion motion;
   const auto index = order.of(design.segment);
@@ -132,8 +132,8 @@ world::TrainMotion begin(const world::Document& document, const DerivedTrack& de
 }
 
 // Updates a moving train after an edit: the same segment and fraction, else the same distance along the track.
-void follow_edit(const world::Document& document, const DerivedTrack& derived, const Order& order, world::Entity entity,
-                 world::TrainMotion& cart) {
+void follow_edit(const world::Document& document, const DerivedTrack& derived, const SegmentIndices& order,
+                 world::Entity entity, world::TrainMotion& cart) {
   if (const auto index = order.of(cart.segment)) {
     const double length = derived.shape(cart.segment).arc.length();
     const bool scales = length != cart.segment_length && cart.segment_length > 0;
@@ -250,7 +250,7 @@ void reset(const world::Document& document, const DerivedTrack& derived, world::
   motion.carts.keep_those_of(world::Pool<world::Train>{});  // empties it and keeps its memory
   motion = {.carts = std::move(motion.carts)};
   const auto& pool = document.entities.pool<world::Train>();
-  const Order order(derived, pool.size());
+  const SegmentIndices order(derived, pool.size());
   for (std::size_t i = 0; i < pool.size(); ++i)
     motion.carts.put(pool.entities()[i], begin(document, derived, order, pool.entities()[i], pool.items()[i]));
 }
@@ -258,7 +258,7 @@ void reset(const world::Document& document, const DerivedTrack& derived, world::
 void reconcile(const world::Document& document, const DerivedTrack& derived, world::Motion& motion) {
   const auto& designed = document.entities.pool<world::Train>();
   motion.carts.keep_those_of(designed);
-  const Order order(derived, designed.size());
+  const SegmentIndices order(derived, designed.size());
   for (std::size_t i = 0; i < designed.size(); ++i) {
     const world::Entity e = designed.entities()[i];
     world::TrainMotion* const cart = motion.carts.find(e);

@@ -59,7 +59,7 @@ constexpr std::array<Integrator, 6> kIntegrators{{
 }};
 
 // What equipment needs to know of a train during a tick.
-struct Control {
+struct TrainControl {
   TrainContacts contacts;
   ControlState state;
   bool way_free = true;
@@ -71,7 +71,7 @@ struct TickContext {
   const Integrator& row;
   world::Losses resistance;  // of the current train
   TrainPlace train;          // its cars
-  Control& control;
+  TrainControl& control;
 };
 
 // A tick that crosses more joints per car than this (segments of zero length) is cut short: the train waits for the
@@ -95,8 +95,8 @@ Drive drive_at(const TickContext& tick, const TrainContext& context, const Conta
                ControlState& control) {
   const std::function<double()> free = [&] {
     const double pull = context.gravity(state.x);
-    return pull - sim::direction_of(state.speed, context.resistance, [&] { return pull; }) *
-                      loss(context.resistance, state.speed);
+    return pull -
+           direction_of(state.speed, context.resistance, [&] { return pull; }) * loss(context.resistance, state.speed);
   };
   const double step = tick.row.kind == IntegratorKind::vertices ? world::kTick : 0.0;
   const TrainMoment now{distance_of(context.derived, context.cars.front()) + state.x, state.speed, free, step};
@@ -132,12 +132,12 @@ bool move_cars(const DerivedTrack& derived, double x, bool forward, bool at_join
   return on_track;
 }
 
-double direction_of(const TrainContext& context, double speed) {
-  return sim::direction_of(speed, context.resistance, [&] { return context.gravity(0.0) + context.drive; });
+double driven_direction(const TrainContext& context, double speed) {
+  return direction_of(speed, context.resistance, [&] { return context.gravity(0.0) + context.drive; });
 }
 
 bool stays_at_rest(const TrainContext& context, double speed) {
-  return speed == 0 && context.resistance.rolling > 0 && direction_of(context, 0.0) == 0.0;
+  return speed == 0 && context.resistance.rolling > 0 && driven_direction(context, 0.0) == 0.0;
 }
 
 // Advances a train by `dt` in one step across joints. Returns false and changes nothing if that is not possible: at
@@ -146,7 +146,7 @@ bool advance_across(const TickContext& tick, double dt, std::vector<TrackPlace>&
   const DerivedTrack& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
   TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance, 0.0, 0.0, true};
-  context.direction = direction_of(context, cart.speed);
+  context.direction = driven_direction(context, cart.speed);
   const bool losses = !(tick.resistance == world::Losses{});
   if (losses && stays_at_rest(context, cart.speed)) return false;
   const TrainState next = tick.row.advance(context, {0.0, cart.speed, cart.work}, dt);
@@ -176,7 +176,7 @@ bool near_equipment(const TickContext& tick, const Contacts& contacts, const wor
 
 // Updates the drive of a train in its present state. Returns the equipment that it is on.
 const Contacts& update_drive(const TickContext& tick, const TrainContext& context, const world::TrainMotion& cart) {
-  Control& control = tick.control;
+  TrainControl& control = tick.control;
   const TrackExtent rails{tick.input.derived.length, tick.input.derived.closed};
   TrainPlace train = tick.train;
   train.front = distance_of(tick.input.derived, context.cars.front());
@@ -202,7 +202,7 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
         advance_across(tick, dt, places, cart))
       return true;
     context.drive = drive.acceleration;
-    context.direction = drive.net ? 0.0 : direction_of(context, cart.speed);
+    context.direction = drive.net ? 0.0 : driven_direction(context, cart.speed);
     if (losses && !drive.net && stays_at_rest(context, cart.speed)) return true;
     const TrainState state{0.0, cart.speed, cart.work};
     double used = dt;
@@ -337,7 +337,7 @@ struct TickTrain {
   double spacing, length;
   world::Losses resistance;
   std::vector<TrackPlace> places;
-  Control control{};
+  TrainControl control{};
 };
 
 std::vector<TickTrain> trains_of(const RideInput& input, world::Motion& motion) {
@@ -372,7 +372,7 @@ double drive_force(const TickContext& tick, const TickTrain& train) {
 bool advance_train(const TickContext& tick, TickTrain& train) {
   world::TrainMotion& cart = *train.motion;
   const DerivedTrack& derived = tick.input.derived;
-  Control& control = tick.control;
+  TrainControl& control = tick.control;
   count_down(control.way_free, control.state);
   update_drive(tick, {derived, train.places, 0, 0, train.resistance}, cart);
   if (control.drive.held) return halt(cart), true;
@@ -418,7 +418,7 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
     bool all_wait = true;
     for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i) {
       world::TrainMotion& cart = *trains[i].motion;
-      Control& control = trains[i].control;
+      TrainControl& control = trains[i].control;
       const TickContext tick{input, row, trains[i].resistance, places[i], control};
       const bool waits = control.state.dwell == 1;
       control.way_free = trains.size() < 2 || way_free(input, places, i);

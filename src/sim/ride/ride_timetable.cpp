@@ -12,7 +12,7 @@ namespace coaster::sim {
 namespace {
 
 // Trains that move alike.
-struct Family {
+struct AlikeTrains {
   TrainStart start;
   world::Entity first;
   world::TimetablePlace place;  // where the first train joined
@@ -38,12 +38,12 @@ double energy_of_laps(const RideInput& input) {
 constexpr std::size_t kBlock = 64;  // trains whose data stay in the first-level cache
 
 // What trains on a table accumulate tick by tick, member by member.
-struct Accounts {
+struct TrainTotals {
   std::array<double, kBlock> travelled, furthest, peak_kinetic;
 };
 
 void add_tick(std::size_t count, double length, const double* __restrict before_along,
-              const double* __restrict before_laps, const LapTrains& on, Accounts& accounts) {
+              const double* __restrict before_laps, const LapTrains& on, TrainTotals& accounts) {
   const double *const along = on.along.data(), *const laps = on.laps.data(), *const speed = on.speed.data();
   for (std::size_t i = 0; i < count; ++i) {
     accounts.travelled[i] += (laps[i] - before_laps[i]) * length + (along[i] - before_along[i]);
@@ -57,7 +57,7 @@ void follow_block(const RideInput& input, const LapTable& table, std::span<const
                   std::vector<world::TrainMotion>& carts, LapTrains& on) {
   const std::size_t count = trains.size();
   const double length = table.length();
-  Accounts accounts;
+  TrainTotals accounts;
   std::array<double, kBlock> before_along, before_laps, rounds;
   for (std::vector<double>* column : {&on.phase, &on.along, &on.speed, &on.laps}) column->clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -130,15 +130,15 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
                   [](const world::TrainMotion& cart) { return cart.timetable.valid; }))
     return true;
   const double least = energy_of_laps(input);
-  std::vector<Family> families;
+  std::vector<AlikeTrains> families;
   std::vector<std::size_t> family_of(carts.size());
   for (std::size_t i = 0; i < carts.size(); ++i) {
     const world::TrainMotion& cart = carts.items()[i];
     const world::Entity entity = carts.entities()[i];
-    Family own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
+    AlikeTrains own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
     own.place = timetable_from(cart);
     own.start = start_of(input, entity, own.place);
-    const auto same = std::find_if(families.begin(), families.end(), [&](const Family& f) {
+    const auto same = std::find_if(families.begin(), families.end(), [&](const AlikeTrains& f) {
       return of_one_kind(f.start, own.start) &&
              std::abs(f.energy - own.energy) <= kSame * std::max(1.0, std::abs(own.energy));
     });
@@ -149,7 +149,7 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
   LapTables tables(input, cache);
   for (std::size_t i = 0; i < carts.size(); ++i) {
     world::TrainMotion& cart = carts.items()[i];
-    const Family& family = families[family_of[i]];
+    const AlikeTrains& family = families[family_of[i]];
     const LapTable& table = tables.of(family.first, family.place);
     if (!table.valid()) return false;
     cart.timetable = family.place;

@@ -39,7 +39,7 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
 }
 
 // The work on one segment, and its cost.
-struct Job {
+struct SegmentRebuild {
   std::size_t index = 0;
   SegmentShape* shape = nullptr;
   ShapeKey key;
@@ -47,7 +47,7 @@ struct Job {
   double seconds = 0;  // in the evaluator's polyline function
 };
 
-void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& polyline, Job& job) {
+void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& polyline, SegmentRebuild& job) {
   SegmentShape& shape = *job.shape;
   if (job.reshape) build_shape(job.key, shape);
   if (job.measure) shape.measured_length = base::row_of(evaluation.arc_length).length(job.key.cubic, evaluation.steps);
@@ -91,7 +91,7 @@ void take_knots(const world::Document& document, DerivedTrack& derived, const au
 
 // Records the inputs of the segments. Returns the indices of those whose inputs changed, ascending.
 std::vector<std::size_t> take_changes(const world::Document& document, bool all, DerivedTrack& derived) {
-  DerivedTrack::Made& made = derived.made;
+  DerivedTrack::BuiltInputs& made = derived.made;
   const std::size_t count = derived.order.size();
   std::vector<std::size_t> changed;
   take_knots(document, derived, [&](std::size_t i) {
@@ -125,15 +125,15 @@ std::vector<std::size_t> take_changes(const world::Document& document, bool all,
 }
 
 // Returns the work to be done; the shapes stay at their addresses.
-std::vector<Job> jobs_of(const world::Document& document, std::span<const std::size_t> changed,
-                         const world::Evaluation& evaluation, DerivedTrack& derived) {
+std::vector<SegmentRebuild> jobs_of(const world::Document& document, std::span<const std::size_t> changed,
+                                    const world::Evaluation& evaluation, DerivedTrack& derived) {
   const bool on_processor = base::row_of(evaluation.evaluator).evaluated_by == curve::EvaluatedBy::processor;
   const PolylineKey polyline{evaluation.evaluator, evaluation.steps};
-  std::vector<Job> jobs;
+  std::vector<SegmentRebuild> jobs;
   for (const std::size_t i : changed) {
     const world::Entity entity = derived.order[i];
     SegmentShape& shape = derived.segments.get(entity);
-    Job job{i, &shape, key_of(document, world::segment(document, entity))};
+    SegmentRebuild job{i, &shape, key_of(document, world::segment(document, entity))};
     job.reshape = shape.shape_build == 0 || !(shape.key == job.key);
     job.measure = job.reshape || shape.measured_by != evaluation.arc_length || shape.measured_steps != evaluation.steps;
     job.evaluate = on_processor && (job.reshape || !(shape.polyline_key == polyline));
@@ -147,12 +147,12 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
 }
 
 // Numbers the rebuilds and sums over the segments in the track's order, independent of the order of the work.
-void gather(std::span<const Job> jobs, DerivedTrack& derived) {
+void gather(std::span<const SegmentRebuild> jobs, DerivedTrack& derived) {
   const std::size_t count = derived.order.size();
-  DerivedTrack::Made& made = derived.made;
+  DerivedTrack::BuiltInputs& made = derived.made;
   for (auto* const column : {&made.lengths, &made.twists, &made.measured_lengths, &made.deviations})
     column->resize(count);
-  for (const Job& job : jobs) {
+  for (const SegmentRebuild& job : jobs) {
     SegmentShape& shape = *job.shape;
     if (job.reshape) {
       shape.shape_build = ++derived.last_build;
@@ -181,7 +181,7 @@ void gather(std::span<const Job> jobs, DerivedTrack& derived) {
 }
 
 // Refits the tree to new cubics. Rebuilds it if segments were added, removed or reordered, or most of them moved.
-void update_tree(bool reordered, std::span<const Job> reshaped, DerivedTrack& derived) {
+void update_tree(bool reordered, std::span<const SegmentRebuild> reshaped, DerivedTrack& derived) {
   if (!reordered && reshaped.empty()) return;
   if (reordered || reshaped.size() > derived.order.size() / 2) {
     std::vector<curve::Cubic> cubics;
@@ -190,7 +190,8 @@ void update_tree(bool reordered, std::span<const Job> reshaped, DerivedTrack& de
     return build_tree(std::move(cubics), derived.tree);
   }
   std::vector<std::size_t> indices;
-  for (const Job& job : reshaped) indices.push_back(job.index), derived.tree.cubics[job.index] = job.key.cubic;
+  for (const SegmentRebuild& job : reshaped)
+    indices.push_back(job.index), derived.tree.cubics[job.index] = job.key.cubic;
   refit_tree(indices, derived.tree);
 }
 
@@ -228,19 +229,19 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.compared = 0, derived.rebuilds = 0, derived.evaluation_seconds = 0, derived.evaluated_vertices = 0;
   derived.made.evaluation = evaluation, derived.made.rails = world::rails_height(document);
 
-  std::vector<Job> jobs = jobs_of(document, take_changes(document, all, derived), evaluation, derived);
+  std::vector<SegmentRebuild> jobs = jobs_of(document, take_changes(document, all, derived), evaluation, derived);
   constexpr std::size_t kPart = 64;  // segments
   base::in_parts(jobs.size(), kPart, workers, [&](std::size_t begin, std::size_t end) {
     Polyline polyline;
     for (std::size_t i = begin; i < end && !base::interrupted(); ++i) work_on(evaluation, clock, polyline, jobs[i]);
   });
   gather(jobs, derived);
-  const bool unlisted = moved || std::ranges::any_of(jobs, &Job::refit);
+  const bool unlisted = moved || std::ranges::any_of(jobs, &SegmentRebuild::refit);
   if (unlisted || derived.made.changes.size() > derived.order.size()) {
     derived.made.changes.clear();
     derived.made.known_since = unlisted ? ++derived.last_build : derived.last_build;
   }
-  std::erase_if(jobs, [](const Job& job) { return !job.reshape; });
+  std::erase_if(jobs, [](const SegmentRebuild& job) { return !job.reshape; });
   update_tree(reordered, jobs, derived);
 }
 

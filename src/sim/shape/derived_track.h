@@ -108,7 +108,7 @@ struct DerivedTrack {
 
   // The inputs of the segments and the summed figures of each, in the track's order, so that an edit reads only the
   // shapes that it changes.
-  struct Made {
+  struct BuiltInputs {
     std::vector<world::Knot> knots;
     std::vector<std::int32_t> turns;
     std::vector<std::optional<world::EquipmentKind>> fitted;

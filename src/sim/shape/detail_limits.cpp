@@ -9,8 +9,8 @@
 
 namespace coaster::sim {
 
-Detail detail_of(const DerivedTrack& derived) {
-  Detail detail;
+SolidsDetail detail_of(const DerivedTrack& derived) {
+  SolidsDetail detail;
   detail.parts = derived.length <= kMaxDetailedLength;
   const std::size_t segments = derived.order.size();
   while (static_cast<std::size_t>(detail.most_rings) * segments > kMaxAllRings && detail.most_rings > 2)
@@ -21,7 +21,7 @@ Detail detail_of(const DerivedTrack& derived) {
   return detail;
 }
 
-std::string detail_text(const Detail& detail) {
+std::string detail_text(const SolidsDetail& detail) {
   std::string text;
   if (detail.most_rings == 0) text = "The track is drawn as a curve alone.";
   else if (!detail.parts) text = "Ties, equipment and supports are drawn only near the eye.";
@@ -37,8 +37,8 @@ constexpr float kEyeOff = 14;   // m, how far the eye is from the nearest step a
 
 }  // namespace
 
-void NearSegments::look_from(const Surroundings& around) {
-  const Surroundings stepped{kEyeStep * glm::round(around.eye / kEyeStep), around.reach};
+void NearSegments::look_from(const EyeSurroundings& around) {
+  const EyeSurroundings stepped{kEyeStep * glm::round(around.eye / kEyeStep), around.reach};
   stale_ = stale_ || !(stepped == around_);
   around_ = stepped;
 }
@@ -69,7 +69,7 @@ bool NearSegments::gather(const DerivedTrack& derived, float reach) {
   });
 }
 
-Detail NearSegments::detail(Detail detail) const {
+SolidsDetail NearSegments::detail(SolidsDetail detail) const {
   if (everywhere_ || indices_.empty()) return detail;
   detail.parts = true;
   detail.most_rings = std::max(detail.most_rings, kNearRings);

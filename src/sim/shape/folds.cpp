@@ -21,14 +21,14 @@ namespace {
 constexpr int kSamples = 64;     // intervals per segment
 constexpr double kGentle = 0.2;  // height times curvature: segments below it at all samples have no fold
 
-struct Line {
+struct OffsetLine {
   const SegmentShape& shape;
   double height;
   double along(double t) const { return offset_point(shape, shape.arc.distance(t), height).along; }
 };
 
 // Returns the position of the minimum of a function with one minimum between a and b, by golden sections.
-double least_between(const Line& line, double a, double b) {
+double least_between(const OffsetLine& line, double a, double b) {
   constexpr double kGolden = 0.6180339887498949;
   double c = b - kGolden * (b - a), d = a + kGolden * (b - a), at_c = line.along(c), at_d = line.along(d);
   for (int i = 0; i < 30; ++i) {
@@ -39,11 +39,11 @@ double least_between(const Line& line, double a, double b) {
 }
 
 // Returns the border between a position that folds and one that does not.
-double border(const Line& line, double folds, double clear) {
+double border(const OffsetLine& line, double folds, double clear) {
   return base::bisect({folds, clear}, 30, [&](double t) { return line.along(t) <= 0; }).low;
 }
 
-bool gentle(const Line& line) {
+bool gentle(const OffsetLine& line) {
   for (int i = 0; i <= kSamples; ++i)
     if (std::abs(line.height) * curve::curvature(line.shape.key.cubic, static_cast<double>(i) / kSamples) > kGentle)
       return false;
@@ -51,7 +51,7 @@ bool gentle(const Line& line) {
 }
 
 // Adds the fold from t0 to t1, with its tightest position; distances along the segment.
-void add_fold(const Line& line, double t0, double t1, double tightest, std::vector<Fold>& out) {
+void add_fold(const OffsetLine& line, double t0, double t1, double tightest, std::vector<Fold>& out) {
   const curve::ArcLengthMap& arc = line.shape.arc;
   const double bend = (1 - line.along(tightest)) / std::abs(line.height);
   out.push_back({arc.distance(t0), arc.distance(t1), arc.distance(tightest), 1 / bend,
@@ -59,7 +59,7 @@ void add_fold(const Line& line, double t0, double t1, double tightest, std::vect
 }
 
 std::vector<Fold> folds_of(const SegmentShape& shape, double height) {
-  const Line line{shape, height};
+  const OffsetLine line{shape, height};
   std::vector<Fold> out;
   if (height == 0 || !(shape.arc.length() > 0) || gentle(line)) return out;
   struct Sample {

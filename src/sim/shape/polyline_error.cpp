@@ -34,7 +34,7 @@ double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points
 namespace {
 
 // The curve between two vertices, B(a + h u) - B(a) = q1 u + q2 u^2 + q3 u^3 with u in [0,1], and its chord.
-struct Piece {
+struct ChordPiece {
   dvec3 q1, q2, q3, chord = q1 + q2 + q3;
   double square = glm::dot(chord, chord);
 
@@ -54,7 +54,7 @@ std::array<dvec3, 3> quadratic(dvec3 x, dvec3 y, dvec3 z) { return {x, x + 0.5 *
 // Returns the largest squared distance. From the chord's line it is u (1-u) |e + u f|, with e and f perpendicular to
 // the chord: its extrema are at the roots of a cubic. Where a foot is beyond an end of the chord, those of the distance
 // from there count: (B - B(a)) . B' has the root u = 0, which leaves a quartic.
-double largest_off(const Piece& p) {
+double largest_off(const ChordPiece& p) {
   double worst = 0;
   const auto look = [&](double u) { worst = std::max(worst, p.off(u)); };
   const dvec3 e = p.across(p.q2 + p.q3), f = p.across(p.q3);

@@ -18,9 +18,9 @@ using glm::dvec3;
 
 constexpr double kNearTight = 2 * kTightRadius;  // m: cells with this radius at an end are tight
 
-class Cells {
+class FeltCellBuilder {
  public:
-  Cells(const SegmentShape& shape, SegmentTable& table)
+  FeltCellBuilder(const SegmentShape& shape, SegmentTable& table)
       : shape_(shape),
         table_(table),
         curve_(curve::coefficients_d(shape.key.cubic)),
@@ -136,7 +136,7 @@ void fill_cells(const SegmentShape& shape, SegmentTable& table) {
   table.cells.clear(), table.peaks.clear();
   const std::vector<curve::TightPlace> places = curve::tight_places(shape.key.cubic, kTightRadius);
   if (places.empty() || !(table.step > 0)) return;
-  Cells cells(shape, table);
+  FeltCellBuilder cells(shape, table);
   double done = 0;
   for (const curve::TightPlace& place : places) {
     cells.add(done, place.t - place.half);

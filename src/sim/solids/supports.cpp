@@ -22,7 +22,7 @@ constexpr double kStrutted = 9;      // m: longer legs have a strut between them
 constexpr double kUpright = -0.1;    // vertical component of the frame's up: below it the track is inverted
 constexpr double kLevelPart = 0.35;  // horizontal part of a direction that counts as sideways
 
-struct Site {
+struct SupportSite {
   dvec3 top;  // on the spine's axis
   double height, radius;
   dvec3 side;     // level, perpendicular to the track
@@ -32,8 +32,8 @@ struct Site {
 
 dvec3 level(dvec3 v) { return {v.x, 0, v.z}; }
 
-Site site_at(const Ring& at) {
-  Site site{};
+SupportSite site_at(const Ring& at) {
+  SupportSite site{};
   site.top = at.position - kSpineDrop * at.frame.up;
   site.height = site.top.y;
   site.radius = std::clamp(0.13 + 0.0055 * site.height, 0.13, 0.36);
@@ -55,7 +55,8 @@ dvec3 on_ground(dvec3 p) { return {p.x, 0, p.z}; }
 
 class FormTrial {
  public:
-  FormTrial(const Site& site, const std::function<bool(std::span<const Bar>)>& takes) : site_(site), takes_(takes) {}
+  FormTrial(const SupportSite& site, const std::function<bool(std::span<const Bar>)>& takes)
+      : site_(site), takes_(takes) {}
 
   bool leg(double aside) const {
     return takes_(
@@ -83,7 +84,7 @@ class FormTrial {
   }
 
  private:
-  const Site& site_;
+  const SupportSite& site_;
   const std::function<bool(std::span<const Bar>)>& takes_;
 };
 
@@ -144,7 +145,7 @@ curve::Box reach_of(const curve::Box& box) {
 }  // namespace
 
 bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes) {
-  const Site site = site_at(at);
+  const SupportSite site = site_at(at);
   if (site.height < kLowestSupport) return false;
   const FormTrial trial(site, takes);
   if (site.upright) {
@@ -178,7 +179,7 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
   for (const Ring& hold : supports.holds) add_collar(hold, mesh);
 }
 
-SupportRow support_row(const SegmentShape& shape) {
+SupportCount support_row(const SegmentShape& shape) {
   constexpr double kShortest = 0.05,
                    kMost = 1.7;  // m; largest spacing relative to the segment's length, for a support on each
   const double length = shape.arc.length();
@@ -308,7 +309,7 @@ void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
 void Supports::update(const DerivedTrack& derived, const NearSegments& near) {
   rebuilds_ = 0;
   moved_.clear(), lanes_.clear();
-  if (const Detail detail = near.detail(detail_of(derived)); !(detail == detail_)) {
+  if (const SolidsDetail detail = near.detail(detail_of(derived)); !(detail == detail_)) {
     const std::uint64_t last_build = last_build_;
     *this = {};  // recomputes everything
     detail_ = detail, last_build_ = last_build;

@@ -27,11 +27,11 @@ struct SegmentSupports {
 
 // The number of supports of a segment: `count`, evenly spaced, on every `turns`-th segment of its kind. Depends only on
 // the segment's shape: a change elsewhere moves none.
-struct SupportRow {
+struct SupportCount {
   int count = 0, turns = 1;
   int on(std::size_t index) const { return index % static_cast<std::size_t>(turns) == 0 ? count : 0; }
 };
-SupportRow support_row(const SegmentShape& shape);
+SupportCount support_row(const SegmentShape& shape);
 
 class Supports {
  public:
@@ -53,7 +53,7 @@ class Supports {
     bool stale = true;
     SegmentClearance lane;
     curve::Box reach;  // contains all possible positions of bars
-    SupportRow row;
+    SupportCount row;
     int count = -1;  // number wanted at its index in the track
     SegmentSupports found;
   };
@@ -73,7 +73,7 @@ class Supports {
   std::vector<const SegmentClearance*>
       lanes_;  // by index in the track, in the current update; empty until one is needed
   std::uint64_t last_build_ = 0, build_ = 0, stamp_ = 0;  // build_: of the track
-  Detail detail_;                                         // without parts there are no supports
+  SolidsDetail detail_;                                   // without parts there are no supports
   bool closed_ = false;
   int count_ = 0, rebuilds_ = 0;
 };

@@ -192,7 +192,7 @@ void flatten(Mesh& mesh) {
 
 }  // namespace
 
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail) {
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail) {
   if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
   const EquipmentMeshInput fitting{shape, rings_of(shape, detail.most_rings), mesh};
   switch (kind) {
@@ -262,7 +262,7 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing) {
   return rings;
 }
 
-void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const Detail& detail) {
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const SolidsDetail& detail) {
   mesh.clear();
   if (detail.most_rings == 0) return;
   const std::vector<Ring> rings = rings_of(shape, detail.most_rings);
@@ -270,7 +270,7 @@ void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const Detail&
   for (const Ring& at : tie_rings(shape, detail)) add_tie(at, mesh);
 }
 
-std::vector<Ring> tie_rings(const SegmentShape& shape, const Detail& detail) {
+std::vector<Ring> tie_rings(const SegmentShape& shape, const SolidsDetail& detail) {
   if (!detail.parts || !(shape.arc.length() > kShortestWithTie)) return {};
   return spaced_rings(shape, kTieSpacing);
 }

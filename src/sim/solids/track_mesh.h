@@ -16,7 +16,7 @@ inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
 inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
 inline constexpr double kHalfTie = 0.045;     // m, half a tie's thickness along the track
 inline constexpr int kRailSides = 8, kSpineSides = 12;
-// m, largest deviation of rails from their line between rings, unless there are Detail::most_rings.
+// m, largest deviation of rails from their line between rings, unless there are SolidsDetail::most_rings.
 inline constexpr double kSagitta = 0.01;
 
 // Returns the rails and the curve's frame at arc length s of a segment. At both ends the frame is the knot's own:
@@ -34,10 +34,10 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 // Builds rails, spine and ties. The rings at both ends depend on the knots alone, so neighbours meet bit for bit. Tubes
 // have smooth normals and are closed at `caps`. Replaces the contents of `mesh`. A segment of zero length gives tubes
 // of zero length, never NaN. `detail` may leave out the ties, or everything.
-void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const Detail& detail = {});
+void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const SolidsDetail& detail = {});
 
 // Returns the rings at which the ties of a segment are; none if it is very short or `detail` leaves them out.
-std::vector<Ring> tie_rings(const SegmentShape& shape, const Detail& detail);
+std::vector<Ring> tie_rings(const SegmentShape& shape, const SolidsDetail& detail);
 
 // The parts of a swept solid: a mesh between two rings, around the origin with forward +X, up +Y, left -Z. Every vertex
 // has x = 0 and belongs to the first ring (along 0) or to the second one (along 1). Sweeping `tubes` from ring to ring,
@@ -52,6 +52,6 @@ TrackPieces track_pieces();
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms next to the track in a station. Walkways and platforms are
 // left out where the track is too steep or too banked. Adds nothing for a segment of zero length.
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail = {});
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail = {});
 
 }  // namespace coaster::sim

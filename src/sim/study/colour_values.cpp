@@ -53,9 +53,9 @@ double value_of(const Rider& rider, std::size_t entry, Colouring colouring) {
 }
 
 // Distributes the ride's values over the positions that the car passes.
-class Spread {
+class ValueSpreader {
  public:
-  Spread(const DerivedTrack& derived, double rest, std::vector<float>& out)
+  ValueSpreader(const DerivedTrack& derived, double rest, std::vector<float>& out)
       : rest_(rest), length_(derived.length), closed_(derived.closed), out_(out) {
     places_.reserve(out.size());
     for (std::size_t i = 0; i < derived.order.size(); ++i)
@@ -87,7 +87,7 @@ class Spread {
 };
 
 void fill_ride(const DerivedTrack& derived, const Rider& rider, Colouring colouring, std::vector<float>& out) {
-  Spread spread(derived, colouring == Colouring::vertical ? 1.0 : 0.0, out);
+  ValueSpreader spread(derived, colouring == Colouring::vertical ? 1.0 : 0.0, out);
   for (std::size_t k = 0; k + 1 < rider.entries(); ++k)
     spread.add(rider.place(k), value_of(rider, k, colouring), rider.place(k + 1), value_of(rider, k + 1, colouring));
 }

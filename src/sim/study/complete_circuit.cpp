@@ -105,7 +105,7 @@ struct ProposalSearchOptions {
 };
 
 // One search: its proposals and the reasons for rejections.
-struct Search {
+struct ProposalSearch {
   const CircuitCandidates& candidates;
   const ProposalSearchOptions& terms;
   CircuitProposals found = {};
@@ -198,7 +198,7 @@ struct Search {
 };
 
 CircuitProposals searched(const CircuitCandidates& candidates, const ProposalSearchOptions& terms) {
-  Search search{candidates, terms};
+  ProposalSearch search{candidates, terms};
   search.found.speed = candidates.task.speed, search.found.assumed = !candidates.task.coasts;
   if (candidates.refusal.empty()) search.run();
   if (search.found.list.empty())

@@ -12,11 +12,11 @@ namespace coaster::sim {
 namespace {
 
 // The round and the number of steps of a time. Rounds are outermost, so that a first table is complete early.
-struct Share {
+struct TimingPass {
   std::size_t column;
   int round;
 };
-Share share_of(int timed) {
+TimingPass share_of(int timed) {
   const int columns = static_cast<int>(kMeasuredSteps.size());
   return {static_cast<std::size_t>(timed % columns), timed / columns};
 }
@@ -37,7 +37,7 @@ double median(std::span<const double> values) {
   return values.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
-void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3> points, const Clock& clock) {
+void time_row(Measurement& m, MeasuredRow& row, TimingPass share, std::span<glm::vec3> points, const Clock& clock) {
   const curve::Evaluator& evaluator = base::row_of(row.evaluator);
   MeasuredCell& cell = row.cells[share.column];
   cell.rounds = share.round + 1;
@@ -91,7 +91,7 @@ Measurement start_measurement(const DerivedTrack& derived) {
 
 void measure_next(Measurement& m, const Clock& clock) {
   if (!m.running) return;
-  const Share share = share_of(m.timed);
+  const TimingPass share = share_of(m.timed);
   std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[share.column]) + 1);
   // The search for errors also warms up every row's code and data.
   if (share.round > 0 || find_errors(m, share.column, points)) {

@@ -40,11 +40,11 @@ float FeltAcceleration::*seat_axis(ForceAxis axis) {
 }
 
 // For each entry the longest run around it with no value below its own: [first, last].
-struct Run {
+struct LongestRun {
   std::size_t first, last;
 };
-std::vector<Run> runs_at_least(std::span<const float> values) {
-  std::vector<Run> runs(values.size());
+std::vector<LongestRun> runs_at_least(std::span<const float> values) {
+  std::vector<LongestRun> runs(values.size());
   std::vector<std::size_t> open;  // entries whose run is still open, values ascending
   for (std::size_t i = 0; i <= values.size(); ++i) {
     while (!open.empty() && (i == values.size() || values[open.back()] > values[i])) {
@@ -64,7 +64,7 @@ void find_spans(const SimulatedRide& simulated, const ForceLimitCurves& envelope
   const std::vector<float> values = pressed(simulated, car, axis, envelope.cutoff);
   if (values.size() < 2) return;
   const EnvelopeCurve& curve = envelope.curves[static_cast<std::size_t>(axis)];
-  const std::vector<Run> runs = runs_at_least(values);
+  const std::vector<LongestRun> runs = runs_at_least(values);
   struct Over {
     double excess = 0, allowed = 0;
   };

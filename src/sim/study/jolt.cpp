@@ -16,7 +16,7 @@ constexpr float kLeastStep = 0.05f;    // g: smaller ones do not count together
 
 // Responses of the low-pass of 1 Hz to a unit impulse and a unit step. Afterwards both stay closer to their final
 // values than before.
-struct Responses {
+struct LowPassResponses {
   static constexpr std::size_t kCount = kEntriesPerCutoff * 3 / 2;
   std::array<float, kCount> impulse{}, step{}, ramp{};  // ramp: integral of the step's
 
@@ -35,9 +35,9 @@ struct Responses {
   }
 };
 
-const Responses& responses() {
-  static const Responses kResponses = [] {
-    Responses r;
+const LowPassResponses& responses() {
+  static const LowPassResponses kResponses = [] {
+    LowPassResponses r;
     r.impulse[1] = kEntriesPerCutoff;
     std::fill(r.step.begin() + 1, r.step.end(), 1.0f);
     low_pass(r.impulse, kEntriesPerCutoff, 1);
@@ -61,7 +61,7 @@ void take(const Jolt& one, Jolt& found) {
 }
 
 // Collects the largest values of a difference of felt g.
-class Largest {
+class LargestFelt {
  public:
   void add(glm::vec3 felt) {
     most_ = glm::max(most_, glm::abs(felt));
@@ -79,11 +79,11 @@ class Largest {
 // Returns the difference that some consecutive passages of a car make together, with the change of felt g between them,
 // as a jolt of `passage`.
 Jolt together(std::span<const JointPassage* const> passed, const JointPassage& passage, double cutoff) {
-  const Responses& r = responses();
+  const LowPassResponses& r = responses();
   const double start = passed.front()->time, whole = passed.back()->time - start;
   const auto entries = [&](double time) { return static_cast<float>(time * cutoff * kEntriesPerCutoff); };
-  Largest largest;
-  for (float x = 0; x < static_cast<float>(Responses::kCount) + entries(whole); ++x) {
+  LargestFelt largest;
+  for (float x = 0; x < static_cast<float>(LowPassResponses::kCount) + entries(whole); ++x) {
     glm::vec3 felt(0);
     for (std::size_t i = 0; i < passed.size(); ++i) {
       const JointPassage& here = *passed[i];
@@ -103,14 +103,14 @@ Jolt together(std::span<const JointPassage* const> passed, const JointPassage& p
 
 // Returns the passages of a car that a step at passage i may count together with: those within 1 / (2 cutoff) and
 // kMostBeside of it, if one of them steps the other way; else i alone.
-struct Beside {
+struct PassageRange {
   std::size_t first, last;
 };
-Beside beside(std::span<const JointPassage* const> passed, std::size_t i, double cutoff) {
+PassageRange beside(std::span<const JointPassage* const> passed, std::size_t i, double cutoff) {
   constexpr std::size_t kMostBeside = 3;  // on either side
   const auto near = [&](std::size_t k) { return std::abs(passed[k]->time - passed[i]->time) <= 0.5 / cutoff; };
   const glm::vec3 step = vector_of(passed[i]->step);
-  Beside found{i, i};
+  PassageRange found{i, i};
   if (glm::length(step) < kLeastStep) return found;
   while (found.first > 0 && i - found.first < kMostBeside && near(found.first - 1)) --found.first;
   while (found.last + 1 < passed.size() && found.last - i < kMostBeside && near(found.last + 1)) ++found.last;
@@ -124,9 +124,9 @@ Beside beside(std::span<const JointPassage* const> passed, std::size_t i, double
 }  // namespace
 
 Jolt jolt_of(const JointPassage& passage, double cutoff) {
-  const Responses& r = responses();
+  const LowPassResponses& r = responses();
   const glm::vec3 impulse = static_cast<float>(cutoff) * vector_of(passage.impulse), step = vector_of(passage.step);
-  Largest largest;
+  LargestFelt largest;
   for (std::size_t i = 0; i < r.impulse.size(); ++i) largest.add(r.impulse[i] * impulse + r.step[i] * step);
   return largest.jolt(passage);
 }
@@ -142,7 +142,7 @@ std::vector<Jolt> passage_jolts(const SimulatedRide& simulated, double cutoff) {
   for (std::size_t n = 0; n < found.size(); ++n) {
     const JointPassage& passage = simulated.passages[n];
     const std::span<const JointPassage* const> passed = cars[static_cast<std::size_t>(passage.car)];
-    const Beside near = beside(passed, places[n], cutoff);
+    const PassageRange near = beside(passed, places[n], cutoff);
     for (std::size_t first = near.first; first <= places[n]; ++first)
       for (std::size_t last = std::max(first + 1, places[n]); last <= near.last; ++last)
         if (const Jolt all = together(passed.subspan(first, last - first + 1), passage, cutoff);

@@ -24,8 +24,8 @@ double excess(const SimulatedRide& simulated, const ForceLimitCurves& envelope, 
 
 }  // namespace
 
-std::optional<Advice> advise(const world::Document& document, world::Entity cart, const ForceLimitCurves& envelope,
-                             const Overload& span) {
+std::optional<KnotMoveAdvice> advise(const world::Document& document, world::Entity cart,
+                                     const ForceLimitCurves& envelope, const Overload& span) {
   if (document.track.segments.empty()) return std::nullopt;
   world::Settings settings;
   settings.evaluation->steps = 1;  // polylines are not needed
@@ -41,7 +41,7 @@ std::optional<Advice> advise(const world::Document& document, world::Entity cart
   const int first = static_cast<int>(place_at(derived, span.from_distance).index) - kAdviceReach;
   int last = static_cast<int>(place_at(derived, span.to_distance).index) + 1 + kAdviceReach;
   if (last < first) last += count;
-  std::optional<Advice> best;
+  std::optional<KnotMoveAdvice> best;
   for (int n = first; n <= std::min(last, first + count - 1); ++n) {
     if (!document.track.closed && (n < 0 || n >= count)) continue;
     const world::Entity entity = document.track.knots[static_cast<std::size_t>(((n % count) + count) % count)];
@@ -53,7 +53,7 @@ std::optional<Advice> advise(const world::Document& document, world::Entity cart
         tried.entities.get<world::Knot>(entity).position += kAdviceStep * direction;
         world::settle_joints(tried);  // as after a move by the user
         const double after = excess_of(tried);
-        if (after < before && (!best || after < best->after)) best = Advice{entity, direction, before, after};
+        if (after < before && (!best || after < best->after)) best = KnotMoveAdvice{entity, direction, before, after};
       }
   }
   return best;

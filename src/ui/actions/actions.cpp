@@ -37,8 +37,8 @@ namespace {
 
 using platform::Key;
 
-constexpr Condition kSectionSelected{[](const ActionContext& act) { return selected_is(act, world::Kind::section); },
-                                     "Select a section first."};
+constexpr ActionCondition kSectionSelected{
+    [](const ActionContext& act) { return selected_is(act, world::Kind::section); }, "Select a section first."};
 
 template <ScreenRequest::Kind kind>
 void want(ActionContext& act) {
@@ -53,17 +53,17 @@ template <PictureRequest wish>
 void photo(ActionContext& act) {
   act.ui.out.photo = wish;
 }
-constexpr Condition kInChallenge{[](const ActionContext& act) { return act.ui.session().game.challenge.has_value(); },
-                                 "No challenge is open."};
+constexpr ActionCondition kInChallenge{
+    [](const ActionContext& act) { return act.ui.session().game.challenge.has_value(); }, "No challenge is open."};
 // Shares the track as a link, or as a file if it is too large for a link.
 void share(ActionContext& act) {
-  act.ui.emit(edit::Share{});
+  act.ui.emit(edit::CopyLink{});
   if (edit::link_of(act.ui.session()).size() > exchange::kMaxLinkBytes) act.ui.want = {ScreenRequest::Kind::save_as};
 }
 bool filming(const ActionContext& act) { return act.ui.state.movie != nullptr; }
-constexpr Condition kFilmable{[](const ActionContext& act) { return filming(act) || kRideable.holds(act); },
-                              kRideable.otherwise};
-void record_movie(ActionContext& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
+constexpr ActionCondition kFilmable{[](const ActionContext& act) { return filming(act) || kRideable.holds(act); },
+                                    kRideable.otherwise};
+void record_movie(ActionContext& act) { act.ui.out.movie = filming(act) ? MovieRequest::stop : MovieRequest::start; }
 
 constexpr Action kFileActions[] = {
     {"New", "File", ctrl(Key::n), kOnStart, "Start an empty track.", start_empty},
@@ -103,8 +103,8 @@ void single_step(ActionContext& act) {
   if (running(act)) act.ui.emit(edit::RidePause{});
   act.ui.emit(edit::RideStep{1});
 }
-constexpr Condition kFailed{[](const ActionContext& act) { return failed_place(act.ui.session()).has_value(); },
-                            "No ride has failed."};
+constexpr ActionCondition kFailed{[](const ActionContext& act) { return failed_place(act.ui.session()).has_value(); },
+                                  "No ride has failed."};
 void show_failed_place(ActionContext& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
 constexpr Action kRideActions[] = {
@@ -114,7 +114,7 @@ constexpr Action kRideActions[] = {
     {"Reset", "Ride", shift(Key::r), kInDrag, "Return the trains to their start.", emit<edit::RideStop>, kRideable},
     {"Show where it failed", "Ride", key(Key::j), kInDrag,
      "Go to where the last ride or its challenge failed and select the segment.", show_failed_place, kFailed},
-    toggling<&world::Aids::show_card>("Score cards", "Ride", "Show a card with results at the end of a ride."),
+    toggling<&world::EditingAids::show_card>("Score cards", "Ride", "Show a card with results at the end of a ride."),
 };
 
 using world::Entity;
@@ -129,13 +129,13 @@ Entity section_here(const ActionContext& act) {
   const bool knot = session.document.entities.find<world::Knot>(selected) != nullptr;
   return knot ? world::section_of_knot(session.document, selected) : world::kNone;
 }
-constexpr Condition kInSection{[](const ActionContext& act) { return section_here(act).valid(); },
-                               "Point at the track, or select a knot or a segment first."};
+constexpr ActionCondition kInSection{[](const ActionContext& act) { return section_here(act).valid(); },
+                                     "Point at the track, or select a knot or a segment first."};
 void select_section(ActionContext& act) {
   act.ui.emit(edit::Select{{world::name_of(act.ui.session().document, section_here(act))}});
 }
 
-constexpr Condition kHasSections{
+constexpr ActionCondition kHasSections{
     [](const ActionContext& act) { return !act.ui.session().document.track.segments.empty(); },
     "The track has no sections."};
 // Steps from the active section, else from the one with something selected; without one to the first or the last. A
@@ -190,24 +190,24 @@ void copy(ActionContext& act) { act.ui.out.commands.push_back(copying(act.ui.ses
 void paste(ActionContext& act) { act.ui.out.wants_paste = true; }
 
 // Gives the keyboard to the first number field of Build; Tab moves to the next.
-constexpr Condition kHasValues{
-    [](const ActionContext& act) { return selected(act) != nullptr || on<&world::Aids::show_element>(act); },
+constexpr ActionCondition kHasValues{
+    [](const ActionContext& act) { return selected(act) != nullptr || on<&world::EditingAids::show_element>(act); },
     "Choose an element or select something first."};
 void edit_values(ActionContext& act) {
   Ui& ui = act.ui;
   if (is<&world::Panels::workspace, world::Workspace::build>(act) && !ui.drawers.parameters.open)
     ui.drawers.parameters.toggle();
   if (ui.wish)
-    ui.wish->panel = on<&world::Aids::show_element>(act)      ? "Elements"
-                     : selected_is(act, world::Kind::section) ? "Section"
-                                                              : "Inspector";
+    ui.wish->panel = on<&world::EditingAids::show_element>(act) ? "Elements"
+                     : selected_is(act, world::Kind::section)   ? "Section"
+                                                                : "Inspector";
 }
 
-constexpr Condition kOpenTrack{[](const ActionContext& act) {
-                                 const world::Track& track = act.ui.session().document.track;
-                                 return !track.closed && !track.segments.empty();
-                               },
-                               "Only an open track with a segment can be continued."};
+constexpr ActionCondition kOpenTrack{[](const ActionContext& act) {
+                                       const world::Track& track = act.ui.session().document.track;
+                                       return !track.closed && !track.segments.empty();
+                                     },
+                                     "Only an open track with a segment can be continued."};
 
 constexpr Action kSectionActions[] = {
     {"Edit values", "Edit", key(Key::p), 0,
@@ -247,27 +247,29 @@ constexpr Action kPlainTrackActions[] = {
      kSectionSelected},
 };
 
-using world::Aids;
+using world::EditingAids;
 using world::Kind;
 
-constexpr Condition kRemovable{
+constexpr ActionCondition kRemovable{
     [](const ActionContext& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
     "Select a knot, a section or a train first."};
-constexpr Condition kKnotSelected{[](const ActionContext& act) { return selected_is(act, Kind::knot); },
-                                  "Select a knot first."};
-constexpr Condition kAnyKnots{[](const ActionContext& act) { return !act.ui.session().document.track.knots.empty(); },
-                              "The track has no knots."};
-constexpr Condition kCanUndo{[](const ActionContext& act) {
-                               return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture;
-                             },
-                             "There is nothing to undo."};
-constexpr Condition kCanRedo{[](const ActionContext& act) { return !act.ui.session().history.redo.empty(); },
-                             "There is nothing to redo."};
+constexpr ActionCondition kKnotSelected{[](const ActionContext& act) { return selected_is(act, Kind::knot); },
+                                        "Select a knot first."};
+constexpr ActionCondition kAnyKnots{
+    [](const ActionContext& act) { return !act.ui.session().document.track.knots.empty(); }, "The track has no knots."};
+constexpr ActionCondition kCanUndo{[](const ActionContext& act) {
+                                     return !act.ui.session().history.undo.empty() ||
+                                            act.ui.session().history.in_gesture;
+                                   },
+                                   "There is nothing to undo."};
+constexpr ActionCondition kCanRedo{[](const ActionContext& act) { return !act.ui.session().history.redo.empty(); },
+                                   "There is nothing to redo."};
 
-constexpr Condition kInsertable{[](const ActionContext& act) {
-                                  return act.hovered.kind == view::PickKind::curve || selected_is(act, Kind::segment);
-                                },
-                                "Point at the track or select a segment first."};
+constexpr ActionCondition kInsertable{[](const ActionContext& act) {
+                                        return act.hovered.kind == view::PickKind::curve ||
+                                               selected_is(act, Kind::segment);
+                                      },
+                                      "Point at the track or select a segment first."};
 
 // Cancels a drag in the viewport or in a number field. Returns false if no drag changes the document.
 bool cancel_drags(ActionContext& act) {
@@ -312,9 +314,9 @@ void next_snapping(ActionContext& act) {
 void escape(ActionContext& act) {
   if (cancel_drags(act) || act.ui.state.job.progress) return;  // the job's card takes it
   if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
-  else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
-  else if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
-  else if (on<&Aids::show_element>(act)) toggle<&Aids::show_element>(act);
+  else if (on<&EditingAids::append_mode>(act)) toggle<&EditingAids::append_mode>(act);
+  else if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&EditingAids::circuit>{0});
+  else if (on<&EditingAids::show_element>(act)) toggle<&EditingAids::show_element>(act);
   else if (selected(act) != nullptr) act.ui.emit(edit::Select{});
 }
 
@@ -328,7 +330,7 @@ void insert_point(ActionContext& act) {
 
 // True if the preview of the palette's element or of a closing section shows.
 bool preview_shows(const ActionContext& act) {
-  return on<&Aids::show_element>(act) || act.ui.session().settings.aids->circuit > 0;
+  return on<&EditingAids::show_element>(act) || act.ui.session().settings.aids->circuit > 0;
 }
 
 // True if a cell of the table of sections can be edited and no preview waits to be placed.
@@ -337,27 +339,27 @@ bool has_cell(const ActionContext& act) {
   return shows && act.ui.drawers.graph.open && !preview_shows(act) && selected_is(act, Kind::section);
 }
 // What does not fit is refused with the reason.
-constexpr Condition kPlaceable{[](const ActionContext& act) { return preview_shows(act) || has_cell(act); },
-                               "Choose an element first."};
+constexpr ActionCondition kPlaceable{[](const ActionContext& act) { return preview_shows(act) || has_cell(act); },
+                                     "Choose an element first."};
 void place_element(ActionContext& act) {
   if (has_cell(act)) act.ui.inputs.cell = EditedCell{*selected(act), {}};
   else if (act.ui.session().settings.aids->circuit > 0) place_proposal(act.ui);
   else place_shown_element(act.ui);
 }
 
-constexpr Condition kAppendable{[](const ActionContext& act) { return append_mode_switches(act.ui.session()); },
-                                world::kClosedTrack};
+constexpr ActionCondition kAppendable{[](const ActionContext& act) { return append_mode_switches(act.ui.session()); },
+                                      world::kClosedTrack};
 
-constexpr Condition kCompletable{[](const ActionContext& act) { return completable(act.ui.session().document); },
-                                 "Only an open track with a segment can be completed."};
+constexpr ActionCondition kCompletable{[](const ActionContext& act) { return completable(act.ui.session().document); },
+                                       "Only an open track with a segment can be completed."};
 void complete_circuit(ActionContext& act) { show_proposals(act.ui); }
 
 // Steps among the shapes or among the force elements. The first press shows the preview of the present one, on an empty
 // track that of a straight, where a ride begins.
 void step_element(ActionContext& act, bool forwards) {
-  if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
+  if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&EditingAids::circuit>{0});
   const auto kind = act.ui.session().settings.element.kind;
-  if (!on<&Aids::show_element>(act))
+  if (!on<&EditingAids::show_element>(act))
     return choose_element(act.ui, act.ui.session().document.track.knots.empty() ? world::ElementKind::straight : kind);
   const bool of_forces = world::is_of_forces(kind);
   const std::size_t first = of_forces ? world::elements().size() : 0,
@@ -392,11 +394,11 @@ constexpr Action kEditActions[] = {
      snapping},
     {"Select none", "Edit/Select", kNoKey, 0, "Clear the selection. Key Escape.", emit<edit::Select>, kAnySelected},
     {"Add curve", "Edit", key(Key::c), 0, "Split the longest segment at half its length. The shape is unchanged.",
-     emit<edit::AddCurve>},
+     emit<edit::SplitLongestSegment>},
     {"Insert point", "Edit", key(Key::i), 0,
      "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insert_point, kInsertable},
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
-     toggle<&Aids::append_mode>, kAppendable, on<&Aids::append_mode>},
+     toggle<&EditingAids::append_mode>, kAppendable, on<&EditingAids::append_mode>},
     {"Place element", "Edit", key(Key::enter), 0,
      "Place the previewed element at the open end of the track, or the previewed closing section. Without a preview: "
      "type in "
@@ -417,7 +419,7 @@ constexpr Action kEditActions[] = {
 
 }  // namespace
 
-using platform::Chord;
+using platform::KeyChord;
 using world::CameraMode;
 
 const world::Name* selected(const ActionContext& act) {
@@ -463,7 +465,7 @@ void run_keys(ActionContext& act, const platform::Events& events, unsigned only)
     const auto* press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;
     if (is_fly_key(*press) && act.ui.session().settings.camera_mode == CameraMode::fly) continue;
-    const Chord chord{press->key, press->modifiers};
+    const KeyChord chord{press->key, press->modifiers};
     for (const Action& action : actions()) {
       const auto chords = act.ui.keys.chords(action.name);
       if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;

@@ -22,24 +22,24 @@ struct ActionContext {
 };
 
 // When an action can run, and the sentence shown when it cannot.
-struct Condition {
+struct ActionCondition {
   bool (*holds)(const ActionContext& act);
   std::string_view otherwise;
 };
-inline constexpr Condition kAlways{[](const ActionContext&) { return true; }, ""};
+inline constexpr ActionCondition kAlways{[](const ActionContext&) { return true; }, ""};
 
 struct Action {
-  std::string_view name;  // shown in the menu
-  std::string_view menu;  // "View", or "View/Camera" for a menu inside; "" if it is in none
-  platform::Chord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
+  std::string_view name;     // shown in the menu
+  std::string_view menu;     // "View", or "View/Camera" for a menu inside; "" if it is in none
+  platform::KeyChord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
   // kRepeats: again while the key is held; kInDrag: while the mouse drags something, too; kOnStart: on the start
   // screen, too.
   unsigned keys;
   std::string_view help;
   void (*run)(ActionContext& act);
-  Condition enabled = kAlways;
+  ActionCondition enabled = kAlways;
   bool (*checked)(const ActionContext& act) = nullptr;  // null: no mark
-  platform::Chord other = {};                           // a second default key
+  platform::KeyChord other = {};                        // a second default key
 };
 inline constexpr unsigned kRepeats = 1, kInDrag = 2, kOnStart = 4;
 

@@ -16,19 +16,19 @@ std::span<const Action> view_actions();
 // Switches the workspace. In the laboratory it also opens the pages.
 void choose_workspace(Ui& ui, world::Workspace to);
 
-constexpr platform::Chord key(platform::Key k) { return {k, {}}; }
-constexpr platform::Chord ctrl(platform::Key k) { return {k, {.ctrl = true}}; }
-constexpr platform::Chord shift(platform::Key k) { return {k, {.shift = true}}; }
-constexpr platform::Chord ctrl_shift(platform::Key k) { return {k, {.shift = true, .ctrl = true}}; }
-inline constexpr platform::Chord kNoKey{};
+constexpr platform::KeyChord key(platform::Key k) { return {k, {}}; }
+constexpr platform::KeyChord ctrl(platform::Key k) { return {k, {.ctrl = true}}; }
+constexpr platform::KeyChord shift(platform::Key k) { return {k, {.shift = true}}; }
+constexpr platform::KeyChord ctrl_shift(platform::Key k) { return {k, {.shift = true, .ctrl = true}}; }
+inline constexpr platform::KeyChord kNoKey{};
 
 // The name of the active knot, segment, section or cart; null without one.
 const world::Name* selected(const ActionContext& act);
-inline constexpr Condition kAnySelected{[](const ActionContext& act) { return selected(act) != nullptr; },
-                                        "Select something first."};
+inline constexpr ActionCondition kAnySelected{[](const ActionContext& act) { return selected(act) != nullptr; },
+                                              "Select something first."};
 bool selected_is(const ActionContext& act, world::Kind kind);
-inline constexpr Condition kRideable{[](const ActionContext& act) { return rideable(act.ui.session()); },
-                                     "A ride needs a track and a train."};
+inline constexpr ActionCondition kRideable{[](const ActionContext& act) { return rideable(act.ui.session()); },
+                                           "A ride needs a track and a train."};
 
 // Functions of actions that turn a setting on or off, or select one of its values, and the rows of such actions.
 template <auto Member>
@@ -49,7 +49,7 @@ void set(ActionContext& act) {
 }
 template <auto Member>
 constexpr Action toggling(std::string_view name, std::string_view menu, std::string_view help,
-                          platform::Chord chord = kNoKey) {
+                          platform::KeyChord chord = kNoKey) {
   return {name, menu, chord, kInDrag, help, toggle<Member>, kAlways, on<Member>};
 }
 template <auto Member, world::ValueOf<Member> value>

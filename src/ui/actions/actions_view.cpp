@@ -13,10 +13,10 @@ namespace coaster::ui {
 namespace {
 
 using platform::Key;
-using world::Aids;
 using world::Appearance;
 using world::CameraFeel;
 using world::CameraMode;
+using world::EditingAids;
 using world::Layer;
 using world::Panels;
 using world::Projection;
@@ -39,11 +39,11 @@ constexpr Action showing(std::string_view name, std::string_view help) {
   return {name, "View/Show", kNoKey, kInDrag, help, show_or_hide<layer>, kAlways, layer_shown<layer>};
 }
 
-constexpr Condition kInConflict{[](const ActionContext& act) { return !act.ui.find.conflicts_so_far().empty(); },
-                                "The track has no conflicts."};
+constexpr ActionCondition kInConflict{[](const ActionContext& act) { return !act.ui.find.conflicts_so_far().empty(); },
+                                      "The track has no conflicts."};
 void next_conflict(ActionContext& act) { show_next_conflict(act.ui); }
-constexpr Condition kRidden{[](const ActionContext& act) { return !act.ui.find.jolts().empty(); },
-                            "A ride needs a track and a train."};
+constexpr ActionCondition kRidden{[](const ActionContext& act) { return !act.ui.find.jolts().empty(); },
+                                  "A ride needs a track and a train."};
 void worst_jolt(ActionContext& act) { show_worst_jolt(act.ui); }
 void fill_screen(ActionContext& act) { act.ui.out.toggles_full_screen = true; }
 void open_palette(ActionContext& act) { toggle_palette(act.palette); }
@@ -64,8 +64,8 @@ void frame_selection(ActionContext& act) {
       act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
 }
 
-constexpr Condition kProbing{[](const ActionContext& act) { return selected_is(act, world::Kind::segment); },
-                             "Select a segment first."};
+constexpr ActionCondition kProbing{[](const ActionContext& act) { return selected_is(act, world::Kind::segment); },
+                                   "Select a segment first."};
 // Moves along the selected segment, and at its end to the next one, if there is one.
 void step_probe(ActionContext& act, double by) {
   const edit::Session& session = act.ui.session();
@@ -95,7 +95,8 @@ void next_colouring(ActionContext& act) {
 }
 
 template <CameraMode mode>
-constexpr Action camera(std::string_view name, platform::Key k, std::string_view help, Condition enabled = kAlways) {
+constexpr Action camera(std::string_view name, platform::Key k, std::string_view help,
+                        ActionCondition enabled = kAlways) {
   const auto choose = [](ActionContext& act) { choose_camera(act.ui, mode); };
   return {name, "View/Camera", key(k), kInDrag, help, choose, enabled, is<kCamera, mode>};
 }
@@ -115,13 +116,13 @@ void next_camera(ActionContext& act) { choose_camera(act.ui, base::next_of(act.u
 
 constexpr auto kWorkspace = &Panels::workspace;
 template <Workspace workspace>
-constexpr Action go_to(std::string_view name, platform::Chord chord, std::string_view help) {
+constexpr Action go_to(std::string_view name, platform::KeyChord chord, std::string_view help) {
   const auto choose = [](ActionContext& act) { choose_workspace(act.ui, workspace); };
   return {name, "Window", chord, kInDrag, help, choose, kAlways, is<kWorkspace, workspace>};
 }
 
-constexpr Condition kBuilding{[](const ActionContext& act) { return is<kWorkspace, Workspace::build>(act); },
-                              "Go to the workspace Build first."};
+constexpr ActionCondition kBuilding{[](const ActionContext& act) { return is<kWorkspace, Workspace::build>(act); },
+                                    "Go to the workspace Build first."};
 void fold_parameters(ActionContext& act) { act.ui.drawers.parameters.toggle(); }
 bool parameters_show(const ActionContext& act) { return act.ui.drawers.parameters.open; }
 // Opens the force graph or the table of sections, or folds the open one.
@@ -196,11 +197,11 @@ constexpr Action kViewActions[] = {
     toggling<&CameraFeel::reduced_motion>("Reduced motion", "View/Camera",
                                           "Level horizon, cuts between cameras, no head-bob, no widening."),
     showing<Layer::knots>("Knots", "Show or hide knots that are not selected."),
-    toggling<&Aids::show_gizmo>("Gizmo", "View/Show", "Show or hide the arrows that move the selected knots."),
+    toggling<&EditingAids::show_gizmo>("Gizmo", "View/Show", "Show or hide the arrows that move the selected knots."),
     showing<Layer::supports>("Supports", "Show or hide the supports."),
     showing<Layer::conflicts>("Conflicts", "Show or hide places without clearance."),
     showing<Layer::legend>("Legend", "Show or hide the numbers of the track's colours."),
-    toggling<&Aids::show_hints>("First steps", "View/Show", "Show or hide the first steps.", key(Key::f1)),
+    toggling<&EditingAids::show_hints>("First steps", "View/Show", "Show or hide the first steps.", key(Key::f1)),
     choosing<&Appearance::theme, Theme::dark>("Dark theme", "View/Appearance", "Light on dark."),
     choosing<&Appearance::theme, Theme::light>("Light theme", "View/Appearance", "Dark on light."),
     choosing<&Appearance::theme, Theme::high_contrast>("High-contrast theme", "View/Appearance",

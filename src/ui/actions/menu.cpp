@@ -33,7 +33,7 @@ void build_recent(ActionContext& act) {
       const bool pressed = ImGui::MenuItem(label.c_str());
       note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");
       ImGui::PopID();
-      if (pressed) act.ui.replace(edit::Load{file});
+      if (pressed) act.ui.replace(edit::LoadTrack{file});
     }
     ImGui::EndMenu();
   }

@@ -10,30 +10,30 @@
 namespace coaster::ui {
 namespace {
 
-using platform::Chord;
+using platform::KeyChord;
 
-struct Wanted {
+struct ChosenKeys {
   std::size_t row;
-  std::vector<Chord> chords;
+  std::vector<KeyChord> chords;
 };
 
 // Returns the valid choices; if several choose the same key, the first one gets it.
-std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<const exchange::KeyChoice> choices,
-                             std::vector<std::string>& problems) {
-  std::vector<Wanted> all;
+std::vector<ChosenKeys> readable(std::span<const std::string_view> names, std::span<const exchange::KeyBinding> choices,
+                                 std::vector<std::string>& problems) {
+  std::vector<ChosenKeys> all;
   const std::vector<std::string> actions(names.begin(), names.end());
-  for (const exchange::KeyChoice& choice : choices) {
+  for (const exchange::KeyBinding& choice : choices) {
     const auto row = std::find(names.begin(), names.end(), choice.action);
     if (row == names.end()) {
       problems.push_back(base::sentence(fmt::format("there is no action {}{}", base::quoted_start(choice.action),
                                                     base::suggestion(choice.action, actions))));
       continue;
     }
-    Wanted wanted{static_cast<std::size_t>(row - names.begin()), {}};
+    ChosenKeys wanted{static_cast<std::size_t>(row - names.begin()), {}};
     bool usable = true;
     for (const std::string& text : choice.keys) {
       const auto chord = platform::parse_chord(text);
-      const auto owner = std::find_if(all.begin(), all.end(), [&](const Wanted& w) {
+      const auto owner = std::find_if(all.begin(), all.end(), [&](const ChosenKeys& w) {
         return chord && std::find(w.chords.begin(), w.chords.end(), *chord) != w.chords.end();
       });
       if (!chord)
@@ -52,20 +52,20 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
 
 }  // namespace
 
-KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyChoice> choices,
+KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyBinding> choices,
                     std::vector<std::string>& problems) {
   KeyMap map;
   for (const KeyRow& row : rows) {
     map.names_.push_back(row.name);
-    std::vector<Chord>& chords = map.rows_.emplace_back();
-    for (const Chord& chord : {row.first, row.second})
+    std::vector<KeyChord>& chords = map.rows_.emplace_back();
+    for (const KeyChord& chord : {row.first, row.second})
       if (chord.key != platform::Key::unknown) chords.push_back(chord);
   }
-  const std::vector<Wanted> all = readable(map.names_, choices, problems);
-  for (const Wanted& wanted : all) map.rows_[wanted.row] = wanted.chords;
-  for (const Wanted& wanted : all)
+  const std::vector<ChosenKeys> all = readable(map.names_, choices, problems);
+  for (const ChosenKeys& wanted : all) map.rows_[wanted.row] = wanted.chords;
+  for (const ChosenKeys& wanted : all)
     for (std::size_t row = 0; row < map.rows_.size(); ++row)
-      for (const Chord& chord : wanted.chords) {
+      for (const KeyChord& chord : wanted.chords) {
         if (row == wanted.row) continue;
         if (std::erase(map.rows_[row], chord) > 0)
           problems.push_back(fmt::format("{} now belongs to {}, not to {}.", platform::to_text(chord),
@@ -74,7 +74,7 @@ KeyMap KeyMap::make(std::span<const KeyRow> rows, std::span<const exchange::KeyC
   return map;
 }
 
-std::span<const Chord> KeyMap::chords(std::string_view action) const {
+std::span<const KeyChord> KeyMap::chords(std::string_view action) const {
   const auto row = std::find(names_.begin(), names_.end(), action);
   if (row == names_.end()) return {};
   return rows_[static_cast<std::size_t>(row - names_.begin())];
@@ -84,9 +84,9 @@ std::string KeyMap::shown(std::string_view action) const {
   return chords(action).empty() ? std::string() : platform::to_text(chords(action).front());
 }
 
-std::string chords_text(std::span<const Chord> chords, std::string_view between) {
+std::string chords_text(std::span<const KeyChord> chords, std::string_view between) {
   std::string text;
-  for (const Chord& chord : chords) {
+  for (const KeyChord& chord : chords) {
     if (!text.empty()) text += between;
     text += platform::to_text(chord);
   }

@@ -14,9 +14,9 @@
 
 namespace coaster::ui {
 
-enum class MovieWish { none, start, stop };
+enum class MovieRequest { none, start, stop };
 enum class PictureRequest { none, scene, window };
-enum class Recovery { recover, discard, later };  // later: offered again at the next start
+enum class RecoveryAnswer { recover, discard, later };  // later: offered again at the next start
 struct SystemDialogRequest {
   bool save = false;
   std::string folder, name;
@@ -43,9 +43,9 @@ struct Output {
   bool takes_text = false;  // what is typed goes to a text
   PictureRequest photo = PictureRequest::none;
   bool cancel_job = false;
-  MovieWish movie = MovieWish::none;
+  MovieRequest movie = MovieRequest::none;
   std::optional<exchange::UserSettings> settings;  // new settings to keep
-  std::optional<Recovery> recovery;                // the answer to the first offer
+  std::optional<RecoveryAnswer> recovery;          // the answer to the first offer
   query::LessonAnswer lesson_answer = query::LessonAnswer::none;
   bool wants_tutorial = false;
   std::vector<std::string> wanted_pictures;          // track files, most wanted first

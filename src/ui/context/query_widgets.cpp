@@ -28,7 +28,8 @@ std::optional<double> number_of(const Ui& ui, std::string_view name) {
   return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
-void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view tooltip, const Shown& shown) {
+void read_query(Ui& ui, std::string_view label, std::string_view name, std::string_view tooltip,
+                const ShownValue& shown) {
   const query::Query* row = query::find_query(name);
   const std::string unit = shown.unit != nullptr ? shown.unit : row != nullptr ? std::string(row->unit) : "";
   std::string words = "--";

@@ -15,7 +15,7 @@ namespace coaster::ui {
 std::optional<double> number_of(const Ui& ui, std::string_view query);
 
 // Shows a query's value by read_out() with `decimals`; "--" if it has none. `factor` converts units.
-struct Shown {
+struct ShownValue {
   int decimals = 2;
   const char* unit = nullptr;  // null: the unit of the query
   double factor = 1;
@@ -23,7 +23,7 @@ struct Shown {
   std::string_view argument = {};  // argument of the query
 };
 void read_query(Ui& ui, std::string_view label, std::string_view query, std::string_view tooltip,
-                const Shown& shown = {});
+                const ShownValue& shown = {});
 
 // Returns the user's settings for a change; the result is kept. Only if settings are kept (state.kept).
 exchange::UserSettings& change_kept(Ui& ui);

@@ -43,7 +43,7 @@ struct ScreenRequest {
 };
 
 // The last requested change of a section. If it is refused, the reason shows below its field.
-struct AskedChange {
+struct SectionChangeRequest {
   world::Name section;
   std::string parameter;
   std::uint64_t after = 0;  // number of the newest notice before the request
@@ -72,7 +72,7 @@ struct PanelState {
   std::string waits_for_key, keys_note;  // settings window: the action that waits for a key press, and what was changed
   std::vector<world::Element> elements = world::usual_elements();  // the elements of the palette, by kind
   world::ElementKind of_forces = world::first_of_forces();         // the force element used last in the palette
-  AskedChange asked;
+  SectionChangeRequest asked;
   std::optional<EditedCell> cell;
   GoalInputs goal;
   // Rows of the table of sections in their order on screen, by the table's serial and the sorting.

@@ -17,7 +17,7 @@
 #include "ui/actions/gamepad.h"
 #include "ui/host/layout.h"
 #include "ui/lab/force_key_editor.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/lab/strips.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/selected_sections.h"
@@ -34,7 +34,7 @@
 namespace coaster::ui {
 namespace {
 
-LayoutWish wish_of(const Ui& ui) {
+LayoutOptions wish_of(const Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   const world::Panels& shown = *settings.panels;
   // The riders' page is as high as possible, because it is read from top to bottom.
@@ -51,10 +51,10 @@ LayoutWish wish_of(const Ui& ui) {
 
 // Builds everything except the menu. Empty areas are skipped.
 void build_areas(Ui& ui, const Layout& layout) {
-  build_column(ui, Column::left, layout.left);
-  build_column(ui, Column::right, layout.right);
+  build_column(ui, PanelColumn::left, layout.left);
+  build_column(ui, PanelColumn::right, layout.right);
   build_laboratory(ui, layout.strip);
-  build_column(ui, Column::left, layout.parameters);
+  build_column(ui, PanelColumn::left, layout.parameters);
   build_palette_of_elements(ui, layout.palette, layout.grid);
   build_drawer(ui, layout.drawer);
   build_force_graph(ui, layout.graph);
@@ -108,7 +108,7 @@ bool WaitCard::show(const platform::Events& events, const JobState& job, int wid
   ImGui::NewFrame();
   WidgetList list;
   Entry entry;
-  Gesture gesture;
+  NumberDrag gesture;
   HoverTime rest;
   const std::function<void()> begin_gesture;
   const std::function<void(const std::string&)> warn;
@@ -128,14 +128,14 @@ struct Host::Parts {
   PanelFonts letters;
   ImGuiContext* context = nullptr;
   std::optional<ImGuiRenderer> renderer;
-  EventOrder order;
+  EventQueue order;
   ImGuiInput input;
   world::Theme theme = world::Theme::dark;
   WidgetList list;
   Entry entry;
-  Gesture gesture;
+  NumberDrag gesture;
   HoverTime rest;
-  FieldWish wish;
+  FieldFocusRequest wish;
   NoticeDisplay toasts;
   LabCache lab;
   Dialogs dialogs;
@@ -203,10 +203,10 @@ void Host::Parts::settle_gesture(Ui& ui) {
 
 void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
-    if (const auto* drop = std::get_if<platform::Drop>(&event)) dropped = drop->path;
+    if (const auto* drop = std::get_if<platform::FileDrop>(&event)) dropped = drop->path;
     if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {ScreenRequest::Kind::quit});
   }
-  if (!dropped.empty()) dialogs.take(ui, {ScreenRequest::Kind::replace, edit::Load{std::exchange(dropped, {})}});
+  if (!dropped.empty()) dialogs.take(ui, {ScreenRequest::Kind::replace, edit::LoadTrack{std::exchange(dropped, {})}});
 }
 
 void Host::Parts::take_want(Ui& ui) {
@@ -257,7 +257,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   toasts.draw(ui, beside_hints(ui, free, 400 * ui.scale));
   for (const edit::Command& command : ui.out.commands)
     if (edit::info(command).traits.replaces) frame_next = !edit::opens_link(command), start.hide();
-  if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover || palette.open) start.hide();
+  if (ui.out.wants_tutorial || ui.out.recovery == RecoveryAnswer::recover || palette.open) start.hide();
 }
 
 base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl) {
@@ -331,7 +331,7 @@ std::unique_ptr<WaitCard> Host::make_wait_card() {
   return std::make_unique<WaitCard>(*parts_->context, *parts_->renderer, parts_->letters.scale());
 }
 
-std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {
+std::vector<std::string> Host::set_keys(std::span<const exchange::KeyBinding> choices) {
   std::vector<std::string> problems;
   parts_->keys = KeyMap::make(key_rows(), choices, problems);
   return problems;

@@ -55,7 +55,7 @@ class Host {
   std::unique_ptr<WaitCard> make_wait_card();
 
   // Replaces the default keys. Returns the problems, one a line.
-  std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);
+  std::vector<std::string> set_keys(std::span<const exchange::KeyBinding> choices);
   // Shows the start screen over everything until the user selects something.
   void show_start();
   // Opens a file or a shared link in the next frame, as if it was dropped: first asks about unsaved changes.
@@ -69,7 +69,7 @@ class Host {
   // Returns how long the panels stay unchanged without events, s, from the time `seconds` on: until a notice fades, the
   // caret of a text field blinks, or a list of files is read again.
   double still_for(double seconds) const;
-  // True while clicks or keys wait for the next frames (EventOrder).
+  // True while clicks or keys wait for the next frames (EventQueue).
   bool input_waits() const;
   // True while a text field or a popup has the keyboard.
   bool wants_keyboard() const;

@@ -59,7 +59,7 @@ int popups_behind_lists() {
 
 }  // namespace
 
-platform::Events EventOrder::take(const platform::Events& events, bool text_has_keyboard, bool clicks_wait,
+platform::Events EventQueue::take(const platform::Events& events, bool text_has_keyboard, bool clicks_wait,
                                   bool field_opens) {
   constexpr int kMostFrames = 3;
   opening_ = field_opens && !text_has_keyboard ? opening_ + 1 : 0;

@@ -16,7 +16,7 @@ namespace coaster::ui {
 
 // Keeps the order of what a player does faster than frames: the rest of a frame's events waits for the next one where
 // it needs to see what came before.
-class EventOrder {
+class EventQueue {
  public:
   // Returns the events for this frame, with all of its ticks. A key or text waits until a click before it has been
   // seen: `clicks_wait` says that a former frame's is not. It also waits while a text field is about to take the

@@ -47,7 +47,7 @@ base::Result<ImGuiRenderer> ImGuiRenderer::make(const gfx::Gl& gl) {
   return ImGuiRenderer(gl, std::move(*program));
 }
 
-ImGuiRenderer::ImGuiRenderer(const gfx::Gl& gl, gfx::Program program)
+ImGuiRenderer::ImGuiRenderer(const gfx::Gl& gl, gfx::ShaderProgram program)
     : gl_(&gl),
       program_(std::move(program)),
       array_(gfx::make_vertex_array(gl)),
@@ -66,7 +66,7 @@ void ImGuiRenderer::update_textures() {
       textures_.erase(id);
       return;
     }
-    gfx::Object& texture = textures_[id];
+    gfx::GlObject& texture = textures_[id];
     if (texture.id() == 0) texture = gfx::generate<&gfx::Gl::GenTextures, &gfx::Gl::DeleteTextures>(*gl_);
     gl_->BindTexture(GL_TEXTURE_2D, texture.id());
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

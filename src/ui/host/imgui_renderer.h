@@ -21,14 +21,14 @@ class ImGuiRenderer {
   void draw(const ImDrawData& data, int width, int height);
 
  private:
-  ImGuiRenderer(const gfx::Gl& gl, gfx::Program program);
+  ImGuiRenderer(const gfx::Gl& gl, gfx::ShaderProgram program);
   void update_textures();
   void draw_list(const ImDrawList& list, ImVec2 origin, int width, int height);
 
   const gfx::Gl* gl_;
-  gfx::Program program_;
-  gfx::Object array_, vertices_, indices_;
-  std::map<std::uintptr_t, gfx::Object> textures_;  // by texture id, from kOwnTexture on
+  gfx::ShaderProgram program_;
+  gfx::GlObject array_, vertices_, indices_;
+  std::map<std::uintptr_t, gfx::GlObject> textures_;  // by texture id, from kOwnTexture on
 };
 
 }  // namespace coaster::ui

@@ -28,7 +28,7 @@ void add_strip(Layout& layout, float height) {
   layout.strip = {whole.x, whole.y + layout.scene.height, whole.width, height};
 }
 
-void lay_out_all(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
+void lay_out_all(Layout& layout, float width, float height, float scale, float bar, const LayoutOptions& wish) {
   const Viewport middle = layout.scene;
   const float both = std::min((kLeft + kRight) * scale, width * kLargestPart);
   const float left = std::floor(both * kLeft / (kLeft + kRight)), right = std::floor(both * kRight / (kLeft + kRight));
@@ -38,7 +38,7 @@ void lay_out_all(Layout& layout, float width, float height, float scale, float b
   add_strip(layout, strip_height(height, scale, bar, middle.height, wish.strip));
 }
 
-void lay_out_laboratory(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
+void lay_out_laboratory(Layout& layout, float width, float height, float scale, float bar, const LayoutOptions& wish) {
   const Viewport middle = layout.scene;
   const float right = std::floor(std::min(kRight * scale, 0.5f * kLargestPart * width));
   layout.right = {width - right, middle.y, right, middle.height};
@@ -60,7 +60,7 @@ float height_of(const PaletteGrid& grid, float scale) {
 }
 
 // Returns the grid in a column of `width` px above the parameters: with labels if the parameters keep a legible height.
-PaletteGrid grid_above(float width, float height, float scale, const LayoutWish& wish) {
+PaletteGrid grid_above(float width, float height, float scale, const LayoutOptions& wish) {
   constexpr float kParameters = 110;  // design px
   const float gap = kGap * scale;
   if (const auto columns = static_cast<int>((width + gap) / (wish.label_width + gap)); columns > 0) {
@@ -72,7 +72,7 @@ PaletteGrid grid_above(float width, float height, float scale, const LayoutWish&
 
 // Returns the grid alone in a column of `height` px: as narrow as possible for all buttons, with labels unless that is
 // wider than kColumn, and never wider than `most` px.
-PaletteGrid grid_alone(float height, float most, float scale, const LayoutWish& wish) {
+PaletteGrid grid_alone(float height, float most, float scale, const LayoutOptions& wish) {
   const float gap = kGap * scale, labelled = std::min(most, kColumn * scale - 2 * std::floor(kPad * scale));
   for (const bool labels : {true, false}) {
     const float cell = labels ? std::ceil(wish.label_width) : kIcon * scale, limit = labels ? labelled : most;
@@ -86,7 +86,7 @@ PaletteGrid grid_alone(float height, float most, float scale, const LayoutWish& 
   return grid_of(static_cast<int>((most + gap) / (kIcon * scale + gap)), false, most, scale, wish.elements);
 }
 
-void lay_out_graph(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
+void lay_out_graph(Layout& layout, float width, float height, float scale, float bar, const LayoutOptions& wish) {
   constexpr float kDesign = 130, kPart = 0.17f, kMost = 0.5f, kLeast = 4, kRoomy = 600;  // kLeast: bars
   Viewport& scene = layout.scene;
   if (scene.height < kLeast * bar) return;
@@ -101,7 +101,7 @@ void lay_out_graph(Layout& layout, float width, float height, float scale, float
 }
 
 // Palette and parameters share a column at the left; when the parameters are folded, the palette has a narrow column.
-void lay_out_build(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
+void lay_out_build(Layout& layout, float width, float height, float scale, float bar, const LayoutOptions& wish) {
   constexpr float kRoomy = 850;  // the column takes at most 27 % of the width
   lay_out_graph(layout, width, height, scale, bar, wish);
   Viewport& scene = layout.scene;
@@ -140,7 +140,7 @@ float fitted_scale(int width, int height, float ui_scale, float content_scale) {
   return ui_scale * content_scale * std::clamp(fit, kSmallest, 1.0f);
 }
 
-Layout make_layout(int width, int height, float scale, float bar, const LayoutWish& wish) {
+Layout make_layout(int width, int height, float scale, float bar, const LayoutOptions& wish) {
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   Layout layout;
   layout.scene = {0, 0, w, h};

@@ -32,7 +32,7 @@ struct Strip {
   float share = 0;
 };
 
-struct LayoutWish {
+struct LayoutOptions {
   bool panels = true;
   world::Workspace workspace = world::Workspace::all;
   Strip strip = {};
@@ -51,6 +51,6 @@ struct LayoutWish {
 //   where parameters keep 110 design pixels of height or, folded, where the column is no wider.
 // - Ride: a bar over the whole width, of two rows below 1240 design pixels.
 // - Laboratory: the right column and the strip, which begins at the left edge.
-Layout make_layout(int width, int height, float scale, float bar, const LayoutWish& wish);
+Layout make_layout(int width, int height, float scale, float bar, const LayoutOptions& wish);
 
 }  // namespace coaster::ui

@@ -13,7 +13,7 @@
 #include "edit/commands/set_setting.h"
 #include "sim/study/track_errata.h"
 #include "ui/context/query_widgets.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 #include "world/evaluation_settings.h"
@@ -55,7 +55,7 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
                       SeriesKind::line, 1.4f});
   series.push_back({std::string(base::row_of(settings.evaluation->evaluator).label), one.t, one.mm, row_colour(0),
                     SeriesKind::line, 1.6f});
-  const Level bound{"bound", one.bound, row_colour(3)};
+  const LevelLine bound{"bound", one.bound, row_colour(3)};
   plot_over_t(
       ui, probe, "Error plot",
       {.x = {},
@@ -177,12 +177,12 @@ void side(Ui& ui) {
              "Measure time and error of every evaluator on this machine, on the curves of this track. Takes some "
              "seconds, on a very long track minutes.",
              !m.running && !session.derived.order.empty(), width))
-    ui.emit(edit::Measure{});
+    ui.emit(edit::StartMeasuring{});
   ImGui::SameLine();
   if (button(ui, "Stop", "Stop measuring. Results so far are kept.", m.running, width)) ui.emit(edit::StopMeasuring{});
   progress_bar(ui, sim::progress(m));
   if (const auto to =
-          text(ui, "CSV file", ui.lab.csv, "File for the table, as comma-separated values.", TextShows::end))
+          text(ui, "CSV file", ui.lab.csv, "File for the table, as comma-separated values.", ShownTextEnd::end))
     ui.lab.csv = *to;
   if (button(ui, "Export CSV", "Write the table to the file.", !m.rows.empty() && !ui.lab.csv.empty()))
     ui.emit(edit::SaveMeasurements{ui.lab.csv});
@@ -190,12 +190,12 @@ void side(Ui& ui) {
 
 using curve::ArcLengthMethod;
 using curve::Cubic;
-using curve::LengthDemand;
+using curve::LengthAccuracy;
 
-LengthDemand demand_of(const ArcLengthMethod& method, int steps) { return {steps, method.usual_tolerance}; }
+LengthAccuracy demand_of(const ArcLengthMethod& method, int steps) { return {steps, method.usual_tolerance}; }
 
 // Returns the seconds of one measurement: the median of three batches, each repeated to fill 50 us, at most 64 times.
-double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthDemand& demand,
+double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthAccuracy& demand,
                   const sim::Clock& clock) {
   if (!clock) return 0;
   std::array<double, 3> batches{};
@@ -216,7 +216,7 @@ double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const Lengt
 }
 
 LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
-  const LengthDemand demand{steps, 1e-12};
+  const LengthAccuracy demand{steps, 1e-12};
   LengthStudy study;
   for (const curve::LengthComparison& one : curve::compare_lengths(cubic, demand)) {
     const ArcLengthMethod& method = base::row_of(one.method);
@@ -385,14 +385,14 @@ void error_page(Ui& ui) {
   const ErrorStudy& one = study(ui.lab.error, settings.evaluation->evaluator);
   const bool beside = ui.lab.compared >= 0 && EvaluatorId{ui.lab.compared} != settings.evaluation->evaluator;
   const ErrorStudy* other = beside ? &study(ui.lab.other_error, EvaluatorId{ui.lab.compared}) : nullptr;
-  Page page(ui, 230);
+  PageLayout page(ui, 230);
   side(ui, one);
   error_plot(ui, *probe, one, other, page.pictures());
 }
 
 void measurements_page(Ui& ui) {
   const sim::Measurement& m = ui.session().measuring.measurement;
-  Page page(ui, 190);
+  PageLayout page(ui, 190);
   side(ui);
   const bool beside = page.pictures_width() > 950 * ui.scale;
   if (!beside && !m.rows.empty())

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "curve/bernstein.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "world/layers.h"
 
 namespace coaster::ui {
@@ -29,14 +29,14 @@ Triangle triangle_at(const curve::Cubic& cubic, double t) {
 constexpr std::uint32_t kLevelColours[] = {kPolygonColour, kConstructionColour, 0x5AA9E6, kPointColour};
 constexpr int kTraceSamples = 96;
 
-Trace curve_on(const DrawingPlane& sheet, const curve::Cubic& cubic) {
-  Trace trace;
+PlotPoints curve_on(const DrawingPlane& sheet, const curve::Cubic& cubic) {
+  PlotPoints trace;
   for (int i = 0; i <= kTraceSamples; ++i) trace.add(sheet.at(curve::point(cubic, double(i) / kTraceSamples)));
   return trace;
 }
 
 // Returns the sampled parameter whose point in the picture is nearest to a position in it.
-double nearest_t(const Trace& curve, PlotDrag place) {
+double nearest_t(const PlotPoints& curve, PlotDrag place) {
   std::size_t best = 0;
   const auto distance = [&](std::size_t i) {
     return glm::length(glm::dvec2(curve.x[i] - place.x, curve.y[i] - place.y));
@@ -78,14 +78,14 @@ void numbers_of(Ui& ui, const Probe& probe, const Triangle& triangle) {
 void picture(Ui& ui, const Probe& probe, const Triangle& triangle, float height) {
   const curve::Cubic& cubic = probe.shape->key.cubic;
   const DrawingPlane sheet = sheet_of(triangle[0]);
-  const Trace curve = curve_on(sheet, cubic);
-  std::array<Trace, 3> levels;
+  const PlotPoints curve = curve_on(sheet, cubic);
+  std::array<PlotPoints, 3> levels;
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t i = 0; i + r < 4; ++i) levels[r].add(sheet.at(triangle[r][i]));
   const glm::dvec2 at = sheet.at(triangle[3][0]),
                    tangent = sheet.at(sheet.origin + curve::unit_tangent(cubic, probe.t));
   const double reach = 0.18 * glm::length(glm::dvec3(cubic.p3) - glm::dvec3(cubic.p0));
-  Trace arrow;
+  PlotPoints arrow;
   arrow.add(at);
   arrow.add(at + reach * tangent);
   const Series series[] = {
@@ -148,10 +148,10 @@ void weights_plot(Ui& ui, const Probe& probe, int degree, const std::vector<doub
 constexpr int kHodographSamples = 96;
 
 struct Derivative {
-  Trace curve;  // B'(t) in its sheet
+  PlotPoints curve;  // B'(t) in its sheet
   std::vector<double> t, size;
-  Trace probe;    // from the origin to B'(t) at the probe
-  Trace control;  // its control polygon: 3 (p1 - p0), 3 (p2 - p1), 3 (p3 - p2)
+  PlotPoints probe;    // from the origin to B'(t) at the probe
+  PlotPoints control;  // its control polygon: 3 (p1 - p0), 3 (p2 - p1), 3 (p3 - p2)
 };
 
 Derivative derivative_of(const Probe& probe) {
@@ -195,7 +195,7 @@ void shape_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, fl
 void size_plot(Ui& ui, const Probe& probe, const Derivative& d, float width, float height) {
   const Series series[] = {{"", d.t, d.size, kCurveColour, SeriesKind::line, 2.0f}};
   const Spot spots[] = {{probe.t, glm::length(curve::derivative(probe.shape->key.cubic, probe.t)), kPointColour, ""}};
-  const Level mean{"mean", probe.shape->arc.length(), kConstructionColour};
+  const LevelLine mean{"mean", probe.shape->arc.length(), kConstructionColour};
   plot_over_t(ui, probe, "Speed plot",
               {.x = {},
                .y = {"|B'(t)|", "m", AxisScale::linear, 0, {}},
@@ -213,7 +213,7 @@ void construction_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
   const Triangle triangle = triangle_at(probe->shape->key.cubic, probe->t);
-  Page page(ui, 220);
+  PageLayout page(ui, 220);
   probe_slider(ui, *probe);
   layer_box(ui, world::Layer::construction);
   numbers_of(ui, *probe, triangle);
@@ -226,7 +226,7 @@ void weights_page(Ui& ui) {
   const int degree = ui.lab.degree;
   std::vector<double> weights(static_cast<std::size_t>(degree) + 1);
   curve::bernstein_basis<double>(probe->t, weights);
-  Page page(ui, 200);
+  PageLayout page(ui, 200);
   probe_slider(ui, *probe);
   if (const auto to = slider(ui, "Degree n", degree, 1, kLargestDegree, false,
                              "Degree of the basis, 1 to 8. The track's curves are cubic: n = 3."))
@@ -244,7 +244,7 @@ void hodograph_page(Ui& ui) {
   if (!probe) return;
   const Derivative d = derivative_of(*probe);
   const glm::dvec3 b = curve::derivative(probe->shape->key.cubic, probe->t);
-  Page page(ui, 220);
+  PageLayout page(ui, 220);
   probe_slider(ui, *probe);
   triple_heading(ui, "m");
   triple(ui, "B'(t)", "B'(t)", kTangentColour, b, 3, "m", "The derivative with respect to t at the probe.");

@@ -19,7 +19,7 @@
 #include "platform/events.h"
 #include "sim/plan/force_plan.h"
 #include "ui/context/ui.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/plots/plot.h"
 #include "ui/widgets/theme.h"
 #include "world/force_program.h"
@@ -115,7 +115,7 @@ std::optional<sim::RideValue> ForceAxes::felt() const {
 }
 
 // A range that grows by values, and ends at whole steps beyond them.
-struct Range {
+struct PlotRange {
   double low, high, step;
   void take(double value) {
     if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
@@ -124,17 +124,17 @@ struct Range {
   double top() const { return std::ceil(high / step) * step + step; }
 };
 
-Range least_range(const ForceAxes& axes) {
-  if (!axes.felt()) return axes.of_curvature() ? Range{-10, 10, 10} : Range{-5, 5, 5};
-  return axes.of_curvature() ? Range{-0.01, 0.01, 0.01} : Range{-0.5, 2, 0.5};
+PlotRange least_range(const ForceAxes& axes) {
+  if (!axes.felt()) return axes.of_curvature() ? PlotRange{-10, 10, 10} : PlotRange{-5, 5, 5};
+  return axes.of_curvature() ? PlotRange{-0.01, 0.01, 0.01} : PlotRange{-0.5, 2, 0.5};
 }
 
 // Returns the ends of the axes: the section with a margin, the range of target and actual values, and at the right edge
 // that of g felt where keys are curvature.
-ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeyEditing& state) {
+ForcePlotRanges shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeyEditing& state) {
   constexpr double kMargin = 0.05;
   const double from = axes.start, to = axes.x_of(axes.end()), margin = kMargin * (to - from);
-  Range own = least_range(axes), felt{-0.5, 2, 0.5};
+  PlotRange own = least_range(axes), felt{-0.5, 2, 0.5};
   for (const double value : state.asked) own.take(value);
   for (const double value : state.actual) own.take(value);
   for (const ForceKey& key : axes.keys()) own.take(key.value);
@@ -149,10 +149,11 @@ ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride
 
 // Returns the limits of g within the plot, for the shortest overloads that count and for lasting ones, at their heights
 // on the channel's axis.
-std::vector<Level> shown_limits(const sim::ForceLimitCurves& envelope, const ForceAxes& axes, const ForceEnds& ends) {
+std::vector<LevelLine> shown_limits(const sim::ForceLimitCurves& envelope, const ForceAxes& axes,
+                                    const ForcePlotRanges& ends) {
   using sim::ForceAxis;
   constexpr double kLasting = 10;  // s
-  std::vector<Level> levels;
+  std::vector<LevelLine> levels;
   const auto add = [&](ForceAxis axis, double sign) {
     for (const double seconds : {envelope.shortest, kLasting}) {
       double y = sign * sim::limit(envelope.curves[static_cast<std::size_t>(axis)], seconds);
@@ -393,7 +394,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   const std::size_t first = world::run_of(ui.session().document, section).first;
   const ForceAxes axes{*plan, state.channel, first, ui.session().derived.starts[first]};
   fill_curves(ui.session().derived, axes, state);
-  const ForceEnds ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
+  const ForcePlotRanges ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
   std::vector<Series> series, felt;
   if (!state.actual.empty()) series.push_back({"actual", state.place, state.actual, kActualColour});
   if (ride && axes.felt())
@@ -407,7 +408,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   if (plan->path.ramp > 0) series.push_back({"ramp", ramp, bottom, kRampColour, SeriesKind::line, 1.0f, top});
   const std::array nowhere{std::numeric_limits<double>::quiet_NaN()};  // the legend of the right axis
   if (!felt.empty()) series.push_back({"felt", {ramp.data(), 1}, nowhere, kFeltColour});
-  const std::vector<Level> levels = shown_limits(ui.session().limits.envelope, axes, ends);
+  const std::vector<LevelLine> levels = shown_limits(ui.session().limits.envelope, axes, ends);
   const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
   KnobTouch touch;
   Plot picture{

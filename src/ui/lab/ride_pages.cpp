@@ -12,7 +12,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_shape.h"
 #include "sim/study/ratings.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/table.h"
@@ -59,7 +59,7 @@ constexpr TableColumn kRedColumns[] = {
     {"Limit###May", "g", 48, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
 // Returns the move in words: "Raise k7 by 0.25 m", "Move k7 by 0.25 m to the left".
-std::string move_text(const world::Document& document, const sim::Advice& advice) {
+std::string move_text(const world::Document& document, const sim::KnotMoveAdvice& advice) {
   const std::string label = world::label_of(document, advice.knot), by = fixed(sim::kAdviceStep, 2) + " m";
   if (advice.direction.y != 0) return fmt::format("{} {} by {}", advice.direction.y > 0 ? "Raise" : "Lower", label, by);
   const glm::vec3 ahead = world::knot(document, advice.knot).tangent;
@@ -73,7 +73,7 @@ std::string move_text(const world::Document& document, const sim::Advice& advice
 
 // Shows the effect of moving one knot, and buttons that show the knot and move it.
 void advice_rows(Ui& ui) {
-  const std::optional<sim::Advice>& advice = ui.lab.advice;
+  const std::optional<sim::KnotMoveAdvice>& advice = ui.lab.advice;
   const world::Document& document = ui.session().document;
   if (!advice || !document.entities.find<world::Knot>(advice->knot))
     return small_note("Moving one knot nearby does not help. Try a lower speed or a wider bend.");
@@ -139,7 +139,7 @@ void forces_page(Ui& ui) {
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
   if (!plots) return small_note("No train: add one in the Track panel.");
   const std::span<const sim::Overload> red = ui.find.overloads();
-  Page page(ui, 230);
+  PageLayout page(ui, 230);
   side(ui, plots->ride(), ui.find.ratings(), red.empty());
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const int parts = room <= 340 * ui.scale ? 1 : red.empty() || room <= 560 * ui.scale ? 2 : 3;
@@ -166,7 +166,7 @@ void riders_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
   if (!plots) return small_note("No train: add one in the Track panel.");
-  Page page(ui, 210);
+  PageLayout page(ui, 210);
   choose_seat(ui, plots->ride().start.cars);
   choose_x_axis(ui);
   largest(ui, "Most jerk", plots->study().jerk, RideValue::jerk);

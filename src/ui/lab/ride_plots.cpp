@@ -10,7 +10,7 @@
 
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/set_setting.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/widgets/table.h"
 #include "world/laboratory_settings.h"
 
@@ -20,11 +20,11 @@ namespace {
 using sim::RideValue;
 
 // The value limited on this axis, and whether a large value exceeds the limit (else a small one).
-struct Limited {
+struct LimitedValue {
   RideValue value;
   bool large;
 };
-Limited limited_by(sim::ForceAxis axis) {
+LimitedValue limited_by(sim::ForceAxis axis) {
   switch (axis) {
     case sim::ForceAxis::down: return {RideValue::vertical, true};
     case sim::ForceAxis::lift: return {RideValue::vertical, false};
@@ -37,7 +37,7 @@ Limited limited_by(sim::ForceAxis axis) {
 
 void mark_overload(const sim::Rider& rider, const sim::Overload& span, bool over_time, SeatStudy& study) {
   const sim::SeatCurves& curves = study.curves;
-  const Limited limited = limited_by(span.axis);
+  const LimitedValue limited = limited_by(span.axis);
   const auto v = static_cast<std::size_t>(limited.value);
   const std::vector<double>& values = limited.large && !curves.most[v].empty() ? curves.most[v] : curves.least[v];
   const auto place_of = [&](double seconds) {

@@ -11,7 +11,7 @@
 
 #include "edit/commands/set_setting.h"
 #include "ui/lab/force_key_editor.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
@@ -71,13 +71,14 @@ void build_bar(Ui& ui, float width, float bar) {
   ImFont* const small = small_font();
   const world::LabPage now = chosen_page(ui);
   const float name = width_in(large, "Laboratory") + std::floor(20 * ui.scale);
-  struct Fit {
+  struct TabSizing {
     ImFont* font;
     float pad;
     bool named;
   };
-  const Fit fits[] = {{large, 9, true}, {large, 7, false}, {small, 7, true}, {small, 8, false}, {small, 5, false}};
-  for (const Fit& fit : fits) {
+  const TabSizing fits[] = {
+      {large, 9, true}, {large, 7, false}, {small, 7, true}, {small, 8, false}, {small, 5, false}};
+  for (const TabSizing& fit : fits) {
     const float pad = std::floor(fit.pad * ui.scale);
     if (bar + (fit.named ? name : 0) + width_of_tabs(pad, fit.font) > width) continue;
     fold_button(ui, bar, fit.named);

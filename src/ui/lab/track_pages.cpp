@@ -20,7 +20,7 @@
 #include "sim/study/track_errata.h"
 #include "ui/context/query_widgets.h"
 #include "ui/context/setting_widgets.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/table.h"
 #include "world/layers.h"
@@ -28,9 +28,9 @@
 namespace coaster::ui {
 namespace {
 
-BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
+CurvatureStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
   constexpr int kSamples = 192;
-  BendStudy study;
+  CurvatureStudy study;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = double(i) / kSamples;
     const auto frame = curve::frenet(shape.key.cubic, t);
@@ -43,7 +43,7 @@ BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
   return study;
 }
 
-void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion, float width, float height) {
+void bend_plot(Ui& ui, const Probe& probe, const CurvatureStudy& study, bool torsion, float width, float height) {
   const std::vector<double>& values = torsion ? study.torsion : study.curvature;
   const std::uint32_t tint = torsion ? row_colour(4) : row_colour(0);
   const Series series[] = {{"", study.s, values, tint, SeriesKind::line, 2.0f}};
@@ -228,9 +228,9 @@ float tight_bends(Ui& ui, float height) {
 void frames_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
-  const BendStudy& study =
+  const CurvatureStudy& study =
       ui.lab.bend.get(probe->shape->shape_build, [&] { return bend_study(*probe->shape, probe->segment); });
-  Page page(ui, 240);
+  PageLayout page(ui, 240);
   side(ui, *probe);
   two_pictures(
       ui, page, [&](float width, float height) { bend_plot(ui, *probe, study, false, width, height); },
@@ -239,7 +239,7 @@ void frames_page(Ui& ui) {
 
 void joints_page(Ui& ui) {
   const JointList& list = kept_joints(ui);
-  Page page(ui, 230);
+  PageLayout page(ui, 230);
   side(ui, list);
   const float height = tight_bends(ui, page.pictures());
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");

@@ -23,7 +23,7 @@
 namespace coaster::ui {
 namespace {
 
-struct Part {
+struct StatusPart {
   std::string label, value;
   std::string_view tooltip;
   float cell;  // design px reserved for the value, so that neighbours do not move
@@ -43,7 +43,7 @@ std::string selection_text(const edit::Session& session) {
   return section ? world::title_of(*section) : world::label_of(session.document, selected);
 }
 
-std::vector<Part> parts(const Ui& ui) {
+std::vector<StatusPart> parts(const Ui& ui) {
   const edit::Session& session = ui.session();
   const double fps = ui.state.stats.fps;
   const bool timed = !ui.state.scripted && fps > 0;
@@ -55,7 +55,7 @@ std::vector<Part> parts(const Ui& ui) {
 }
 
 // Position of the next part of the bar.
-struct Bar {
+struct StatusBarRow {
   Ui& ui;
   ImDrawList& list;
   float top, bottom, text_top;  // px
@@ -70,7 +70,7 @@ struct Bar {
   }
 };
 
-void unsaved_mark(Bar& bar) {
+void unsaved_mark(StatusBarRow& bar) {
   const bool unsaved = edit::dirty(bar.ui.find);
   const bool none = bar.ui.session().file.path.empty();  // it has no file
   const std::string_view word = unsaved ? (none ? "not saved yet" : "unsaved") : none ? "no file" : "saved";
@@ -82,7 +82,7 @@ void unsaved_mark(Bar& bar) {
 }
 
 // Shows the evaluator and its steps. A click opens the list of all evaluators.
-void evaluator(Bar& bar) {
+void evaluator(StatusBarRow& bar) {
   Ui& ui = bar.ui;
   constexpr const char* kList = "##evaluators";
   const world::Evaluation& now = *ui.session().settings.evaluation;
@@ -117,9 +117,9 @@ void evaluator(Bar& bar) {
   ImGui::PopStyleVar();
 }
 
-void values(Bar& bar) {
+void values(StatusBarRow& bar) {
   const float gap = std::floor(6 * bar.ui.scale);
-  for (const Part& part : parts(bar.ui)) {
+  for (const StatusPart& part : parts(bar.ui)) {
     const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * bar.ui.scale));
     const float end = bar.x + text_size(part.label).x + gap + value_width;
     if (end > bar.right) return;
@@ -131,7 +131,7 @@ void values(Bar& bar) {
 }
 
 // Shows the last message after its toast is gone, shortened to fit.
-void message(const Bar& bar) {
+void message(const StatusBarRow& bar) {
   const auto& notices = bar.ui.session().notices.list;
   if (notices.empty() || bar.right - bar.x <= 60 * bar.ui.scale) return;
   const edit::Notice& last = notices.back();
@@ -276,7 +276,7 @@ void record(RideRow& row) {
   const float width = row.place(row.scaled(86));
   if (icon_button(ui, filming ? kStopIcon : kRecordIcon, filming ? "Stop" : "Record", help,
                   filming || rideable(ui.session()), width))
-    ui.out.movie = filming ? MovieWish::stop : MovieWish::start;
+    ui.out.movie = filming ? MovieRequest::stop : MovieRequest::start;
 }
 
 // Returns the total width of the parts next to the scrub slider.
@@ -296,14 +296,14 @@ float fixed_width(const RideRow& row, bool two_rows) {
 void build_status_bar(Ui& ui, const view::Viewport& area) {
   build_area(ui, area, {.id = "##status", .panel = "Status", .raised = true}, [&] {
     const float pad = std::floor(10 * ui.scale);
-    Bar bar{ui,
-            *ImGui::GetWindowDrawList(),
-            area.y,
-            area.y + area.height,
-            std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
-            area.x + pad,
-            area.x + area.width - pad,
-            std::floor(18 * ui.scale)};
+    StatusBarRow bar{ui,
+                     *ImGui::GetWindowDrawList(),
+                     area.y,
+                     area.y + area.height,
+                     std::floor(area.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f),
+                     area.x + pad,
+                     area.x + area.width - pad,
+                     std::floor(18 * ui.scale)};
     unsaved_mark(bar);
     evaluator(bar);
     values(bar);

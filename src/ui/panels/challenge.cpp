@@ -24,7 +24,7 @@ namespace {
 using exchange::RuleList;
 
 // Shows a mark, the rule's text, and its value: on the right if it fits next to the text, else below it.
-void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
+void rule_row(Ui& ui, const query::ParsedRule& rule, const exchange::ChallengeRule& words) {
   const query::RuleResult finding = query::look_at(ui.find, rule);
   const std::string found = in_units(ui, finding.found), text = in_units(ui, words.text);
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
@@ -45,9 +45,9 @@ void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& wo
        (finding.holds ? "met " : "not met ") + found, low, {low.x + room, low.y + height});
 }
 
-void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_list<RuleList> lists) {
+void rules_of(Ui& ui, const std::vector<query::ParsedRule>& rules, std::initializer_list<RuleList> lists) {
   const exchange::ChallengeFile& file = ui.session().game.challenge->file;
-  for (const query::Rule& rule : rules)
+  for (const query::ParsedRule& rule : rules)
     if (std::find(lists.begin(), lists.end(), rule.list) != lists.end())
       rule_row(ui, rule, file.list(rule.list)[rule.index]);
 }
@@ -70,7 +70,7 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
        {low.x + room, low.y + height});
 }
 
-void medal_rules(Ui& ui, const std::vector<query::Rule>& rules) {
+void medal_rules(Ui& ui, const std::vector<query::ParsedRule>& rules) {
   for (const auto& [list, title] : {std::pair{RuleList::silver, "Silver also needs###For silver, too"},
                                     std::pair{RuleList::gold, "Gold also needs###For gold, too"}}) {
     if (ui.session().game.challenge->file.list(list).empty()) continue;
@@ -131,7 +131,7 @@ bool challenge_shown(const Ui& ui) { return ui.session().game.challenge.has_valu
 
 void challenge_panel(Ui& ui) {
   const edit::ActiveChallenge& challenge = *ui.session().game.challenge;
-  const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge.file, challenge.path);
+  const base::Result<std::vector<query::ParsedRule>> rules = query::read_rules(challenge.file, challenge.path);
   paragraph(ui, "Name", challenge.file.name, palette().accent);
   buttons(ui, challenge);
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);
@@ -157,7 +157,7 @@ void challenge_panel(Ui& ui) {
 void draw_goals(Ui& ui, const view::Viewport& scene) {
   const std::optional<edit::ActiveChallenge>& challenge = ui.session().game.challenge;
   if (!challenge) return;
-  const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge->file, challenge->path);
+  const base::Result<std::vector<query::ParsedRule>> rules = query::read_rules(challenge->file, challenge->path);
   const float width = std::floor(280 * ui.scale), margin = std::floor(14 * ui.scale);
   if (!rules || scene.width < 2 * width || scene.height < width) return;
   const bool passed = challenge->medal > 0 && challenge->file.judged == exchange::JudgedWhen::build;
@@ -171,7 +171,7 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
                            (passed ? ImGuiWindowFlags_NoNav : ImGuiWindowFlags_NoInputs)};
   build_card(ui, card, [&] {
     tinted(challenge->file.name, palette().accent);
-    for (const query::Rule& rule : *rules) {
+    for (const query::ParsedRule& rule : *rules) {
       const bool medal = rule.list == RuleList::silver || rule.list == RuleList::gold;
       if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.find, rule).holds))
         rule_row(ui, rule, challenge->file.list(rule.list)[rule.index]);

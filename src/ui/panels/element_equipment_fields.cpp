@@ -39,7 +39,7 @@ using world::Equipment;
 using world::EquipmentKind;
 
 // The current one has a frame. `choose` gets the kind of the pressed one; nothing: plain track.
-void equipment_buttons(Ui& ui, const Equipped& now, bool enabled, std::string_view command,
+void equipment_buttons(Ui& ui, const CommonEquipment& now, bool enabled, std::string_view command,
                        const std::function<void(std::optional<EquipmentKind>)>& choose) {
   constexpr int kColumns = 3;
   const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
@@ -118,8 +118,8 @@ std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, 
   return changed;
 }
 
-Equipped equipped(const world::Document& document, const std::vector<world::Entity>& segments) {
-  Equipped found;
+CommonEquipment equipped(const world::Document& document, const std::vector<world::Entity>& segments) {
+  CommonEquipment found;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const auto* const one = document.entities.find<world::Equipment>(segments[i]);
     if (i == 0) found.equipment = one;
@@ -131,7 +131,7 @@ Equipped equipped(const world::Document& document, const std::vector<world::Enti
 
 void equipment_form(Ui& ui, const std::vector<world::Entity>& segments, std::string_view command,
                     const std::function<void(const std::optional<Equipment>& to)>& equip) {
-  const Equipped now = equipped(ui.session().document, segments);
+  const CommonEquipment now = equipped(ui.session().document, segments);
   equipment_buttons(ui, now, !segments.empty(), command, [&](std::optional<EquipmentKind> kind) {
     if (!kind) return equip(std::nullopt);
     Equipment to = now.equipment ? *now.equipment : Equipment{};

@@ -25,11 +25,11 @@ Number parameter_number(const world::ElementParameter& parameter, double value);
 std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, const ElementRows& rows = {});
 
 // The equipment of several segments; nothing if they differ.
-struct Equipped {
+struct CommonEquipment {
   bool mixed = false;
   const world::Equipment* equipment = nullptr;  // null: plain track, or mixed
 };
-Equipped equipped(const world::Document& document, const std::vector<world::Entity>& segments);
+CommonEquipment equipped(const world::Document& document, const std::vector<world::Entity>& segments);
 
 // Shows the equipment of segments: a button for each kind and one for none, "Equipment/Lift", and the numbers of the
 // kind unless the segments differ. Calls `equip` with what the user chooses; nothing: plain track. A challenge may lock

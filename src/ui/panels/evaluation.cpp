@@ -18,12 +18,12 @@ namespace {
 
 using curve::EvaluatedBy;
 
-enum class Group { paper, fast, gpu };
+enum class EvaluatorGroup { paper, fast, gpu };
 // Returns the group of a row: the table begins with the methods of the paper; rows that are computed on the GPU say so.
-Group group_of(std::size_t row) {
+EvaluatorGroup group_of(std::size_t row) {
   constexpr std::size_t kOfThePaper = 4;
-  if (curve::evaluators()[row].evaluated_by != EvaluatedBy::processor) return Group::gpu;
-  return row < kOfThePaper ? Group::paper : Group::fast;
+  if (curve::evaluators()[row].evaluated_by != EvaluatedBy::processor) return EvaluatorGroup::gpu;
+  return row < kOfThePaper ? EvaluatorGroup::paper : EvaluatorGroup::fast;
 }
 
 void method(Ui& ui, std::size_t row) {
@@ -37,7 +37,7 @@ void method(Ui& ui, std::size_t row) {
 }
 
 // Shows the rows of a group in the small font, two in a line if they fit.
-void methods_of(Ui& ui, Group group, std::string_view title, std::string_view tooltip) {
+void methods_of(Ui& ui, EvaluatorGroup group, std::string_view title, std::string_view tooltip) {
   ImGui::PushFont(small_font());
   heading(ui, title, tooltip);
   bool alone = false;  // the last one is alone in its line
@@ -84,9 +84,9 @@ void chord_error(Ui& ui) {
 }  // namespace
 
 void evaluator_choice(Ui& ui) {
-  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
-  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for modern processors.");
-  methods_of(ui, Group::gpu, "On the GPU",
+  methods_of(ui, EvaluatorGroup::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
+  methods_of(ui, EvaluatorGroup::fast, "Fast", "The same polynomial, arranged for modern processors.");
+  methods_of(ui, EvaluatorGroup::gpu, "On the GPU",
              "Computed from the control points: each segment uploads 48 bytes instead of its polyline.");
 }
 

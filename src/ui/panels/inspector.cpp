@@ -55,8 +55,8 @@ void handle_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot, bo
   lengths[1].value = knot.out_length;
   if (const auto c = numbers(ui, "Handles", kEnds, lengths, tooltip)) {
     const float to = to_float(c->value);
-    ui.emit(edit::SetLengths{knots, both || c->index == 0 ? to : knot.in_length,
-                             both || c->index == 1 ? to : knot.out_length});
+    ui.emit(edit::SetHandleLengths{knots, both || c->index == 0 ? to : knot.in_length,
+                                   both || c->index == 1 ? to : knot.out_length});
   }
 }
 void roll_field(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::string_view tooltip) {
@@ -111,7 +111,7 @@ void jolt(Ui& ui, Entity knot) {
 
 void continuity(Ui& ui, Entity entity, Name name) {
   const world::Document& document = ui.session().document;
-  const world::Neighbours at = world::neighbours(document, entity);
+  const world::KnotSegments at = world::neighbours(document, entity);
   if (!at.before.valid() || !at.after.valid()) {
     read_out(ui, "Continuity", "end of the track", "", "The end of an open track is no joint.");
     return;

@@ -29,25 +29,25 @@
 namespace coaster::ui {
 namespace {
 
-using world::Aids;
+using world::EditingAids;
 using world::ElementKind;
 
 // Shows the element's preview; hides it if it shows already (`chosen`).
 void choose(Ui& ui, ElementKind kind, bool chosen) {
   const world::Settings& settings = ui.session().settings;
-  if (settings.aids->circuit > 0) ui.emit(edit::Set<&Aids::circuit>{0});
-  if (chosen) ui.emit(edit::Set<&Aids::show_element>{false});
+  if (settings.aids->circuit > 0) ui.emit(edit::Set<&EditingAids::circuit>{0});
+  if (chosen) ui.emit(edit::Set<&EditingAids::show_element>{false});
   else choose_element(ui, kind);
 }
 
-struct Face {
+struct ButtonFace {
   const Icon& icon;
   std::string label, help;
   bool on, enabled = true;
 };
 
 // A button of the grid. The one that is on also has a frame, so that colour is not the only difference.
-bool face_button(Ui& ui, const Face& face, const PaletteGrid& grid) {
+bool face_button(Ui& ui, const ButtonFace& face, const PaletteGrid& grid) {
   if (face.on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   const IconPlace place = grid.labels ? IconPlace::above : IconPlace::alone;
   // A button that is on hides what it showed: not by the second press of a double click.
@@ -112,7 +112,7 @@ void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
       "ends it.",
       ui.keys.shown("Cancel"));
   if (face_button(ui, {kPencilIcon, std::string(kByHand), with_keys(ui.keys, help, "Append points"), on, usable}, grid))
-    ui.emit(edit::Set<&Aids::append_mode>{!on});
+    ui.emit(edit::Set<&EditingAids::append_mode>{!on});
 }
 
 constexpr std::string_view kCompleteCircuit = "Complete circuit", kCircuitLabel = "Circuit###Complete circuit";
@@ -173,7 +173,7 @@ void circuit_button(Ui& ui) {
 
 // Shows the closing sections during their preview.
 void closing_sections(Ui& ui) {
-  const world::Aids& aids = *ui.session().settings.aids;
+  const world::EditingAids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
   if (ui.session().history.in_gesture) return tinted("The proposals show again after the drag.", palette().dim);
   const sim::CircuitProposals& found = ui.find.circuit();

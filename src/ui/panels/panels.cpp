@@ -33,26 +33,29 @@ void goal_panel(Ui& ui);
 
 std::span<const Panel> panels() {
   static constexpr std::array kPanels{
-      Panel{"Track", Column::left, kTrack, "The whole track: name, file, size, and what you can add.", track_panel},
-      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment, section or train.", inspector_panel},
-      Panel{"Section", Column::left, kSection, "The selected sections: name, parameters and equipment.", section_panel,
-            true, section_shown},
-      Panel{"Shape", Column::left, kSelection | kTrack,
+      Panel{"Track", PanelColumn::left, kTrack, "The whole track: name, file, size, and what you can add.",
+            track_panel},
+      Panel{"Inspector", PanelColumn::left, kSelection, "The selected knot, segment, section or train.",
+            inspector_panel},
+      Panel{"Section", PanelColumn::left, kSection, "The selected sections: name, parameters and equipment.",
+            section_panel, true, section_shown},
+      Panel{"Shape", PanelColumn::left, kSelection | kTrack,
             "Operations on the selected knots or on all knots, and snapping.", shape_panel, false},
-      Panel{"Goal", Column::left, kSelection | kSection,
+      Panel{"Goal", PanelColumn::left, kSelection | kSection,
             "Let the program change numbers of what is selected until the ride does what you want.", goal_panel, false},
-      Panel{"Elements", Column::left, kElement,
+      Panel{"Elements", PanelColumn::left, kElement,
             "Straights, curves, helices, hills and inversions to place at the open end of the track.", elements_panel},
-      Panel{"Operation", Column::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
-      Panel{"Challenge", Column::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
+      Panel{"Operation", PanelColumn::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
+      Panel{"Challenge", PanelColumn::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
             challenge_panel, true, challenge_shown},
-      Panel{"Evaluation", Column::right, kLaboratory,
+      Panel{"Evaluation", PanelColumn::right, kLaboratory,
             "How curves become polylines: method, resolution, accuracy and speed.", evaluation_panel},
-      Panel{"Ride", Column::right, kLaboratory, "Run the trains and read their speed, height and g.", ride_panel},
-      Panel{"Camera", Column::right, kLaboratory, "Camera modes and camera feel.", camera_panel},
-      Panel{"Statistics", Column::right, kLaboratory, "Cost of the last frame.", statistics_panel},
-      Panel{"Sections", Column::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},
-      Panel{"History", Column::right, kTrack, "Undo and redo steps. Click a step to go to it.", history_panel, false},
+      Panel{"Ride", PanelColumn::right, kLaboratory, "Run the trains and read their speed, height and g.", ride_panel},
+      Panel{"Camera", PanelColumn::right, kLaboratory, "Camera modes and camera feel.", camera_panel},
+      Panel{"Statistics", PanelColumn::right, kLaboratory, "Cost of the last frame.", statistics_panel},
+      Panel{"Sections", PanelColumn::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},
+      Panel{"History", PanelColumn::right, kTrack, "Undo and redo steps. Click a step to go to it.", history_panel,
+            false},
   };
   return kPanels;
 }
@@ -68,7 +71,7 @@ unsigned occasions(const Ui& ui) {
   return (!selected ? 0u : section_shown(ui) ? kSection : kSelection) | (chosen ? kElement : 0u);
 }
 
-bool belongs(const Ui& ui, const Panel& panel, Column column) {
+bool belongs(const Ui& ui, const Panel& panel, PanelColumn column) {
   if (panel.shown != nullptr && !panel.shown(ui)) return false;
   if (ui.session().settings.panels->workspace == world::Workspace::all) return panel.column == column;
   return (panel.shows & occasions(ui)) != 0;
@@ -103,9 +106,11 @@ void bring_into_sight(float top) {
 
 }  // namespace
 
-void build_column(Ui& ui, Column column, const view::Viewport& area) {
-  const WindowArea look{
-      .id = column == Column::left ? "##left" : "##right", .panel = "", .padding = {}, .more = ImGuiWindowFlags_None};
+void build_column(Ui& ui, PanelColumn column, const view::Viewport& area) {
+  const WindowArea look{.id = column == PanelColumn::left ? "##left" : "##right",
+                        .panel = "",
+                        .padding = {},
+                        .more = ImGuiWindowFlags_None};
   build_area(ui, area, look, [&] {
     scroll_to_what_is_new(ui);
     // A new lesson opens the panel of its widget and brings the widget into sight.

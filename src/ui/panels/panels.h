@@ -9,7 +9,7 @@
 
 namespace coaster::ui {
 
-enum class Column { left, right };
+enum class PanelColumn { left, right };
 
 // When a panel shows in a workspace other than `all`, which shows every panel. In Build: while an element is selected,
 // a section or something else is selected, or neither; in the laboratory.
@@ -24,7 +24,7 @@ enum Occasion : unsigned {
 
 struct Panel {
   std::string_view name;  // first part of its widgets' paths
-  Column column;          // its column in `all`
+  PanelColumn column;     // its column in `all`
   unsigned shows;         // occasions, in addition to `all`
   std::string_view help;
   void (*build)(Ui& ui);
@@ -35,7 +35,7 @@ std::span<const Panel> panels();
 
 // Builds the panels of one column, one below the other, in a scrolling window over `area`. Build and the laboratory
 // have only one column, with all their panels.
-void build_column(Ui& ui, Column column, const view::Viewport& area);
+void build_column(Ui& ui, PanelColumn column, const view::Viewport& area);
 void build_status_bar(Ui& ui, const view::Viewport& area);
 // Draws the current challenge's goals and the limits that are broken in the upper right corner of the scene. The mouse
 // reaches the scene behind it.

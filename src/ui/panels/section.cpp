@@ -66,7 +66,7 @@ void ask_change(Ui& ui, world::Name section, std::string_view parameter) {
 }
 
 void take_answer(Ui& ui) {
-  AskedChange& asked = ui.inputs.asked;
+  SectionChangeRequest& asked = ui.inputs.asked;
   if (ui.state.waiting) return;
   if (std::exchange(asked.answered, true)) return;
   for (const edit::Notice& notice : ui.session().notices.list)
@@ -75,7 +75,7 @@ void take_answer(Ui& ui) {
 }
 
 std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view parameter) {
-  const AskedChange& asked = ui.inputs.asked;
+  const SectionChangeRequest& asked = ui.inputs.asked;
   return asked.section == section && asked.parameter == parameter ? std::string_view(asked.refusal) : "";
 }
 
@@ -228,7 +228,7 @@ void section_buttons(Ui& ui, const SelectedSections& chosen) {
   const bool of_forces = chosen.section().kind == world::SectionKind::force;
   if (of_forces && pressed("By hand###Shape by hand", "Make the section hand-shaped. Its knots stay, its keys go.", "",
                            chosen.single()))
-    ui.emit(edit::FreeForces{{chosen.name()}});
+    ui.emit(edit::FreeForceSection{{chosen.name()}});
   if ((!of_forces || !chosen.single()) &&
       pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
               in_a_row(chosen)))

@@ -145,7 +145,7 @@ const ColumnLook& column_look(SectionColumn column) { return kLooks[static_cast<
 std::string equipment_words(const Document& document, const world::SectionRun& run) {
   const auto& all = document.track.segments;
   const auto first = all.begin() + static_cast<std::ptrdiff_t>(run.first);
-  const Equipped found = equipped(document, {first, first + static_cast<std::ptrdiff_t>(run.count)});
+  const CommonEquipment found = equipped(document, {first, first + static_cast<std::ptrdiff_t>(run.count)});
   if (found.mixed) return "several";
   return found.equipment ? std::string(base::row_of(found.equipment->kind).label) : "";
 }

@@ -107,7 +107,7 @@ std::vector<Choice> choices(const Rows& rows, Text text) {
   return all;
 }
 
-struct Numbers {
+struct SeekNumberChoices {
   std::vector<Choice> choices;
   std::vector<std::string> words;  // words of the command
   void add(std::string word, std::string_view label, std::string_view help) {
@@ -116,7 +116,7 @@ struct Numbers {
 };
 
 // The length of a force section, all keys of a channel, and each key.
-void add_forces(const world::ForceProgram& program, bool alone, Numbers& numbers) {
+void add_forces(const world::ForceProgram& program, bool alone, SeekNumberChoices& numbers) {
   numbers.add("length", "Length", "How long the section is, in metres or seconds.");
   for (const world::ForceChannelRow& row : world::channels_of(program.of)) {
     const world::ForceChannel channel = *base::value_named<world::ForceChannel>(row.name);
@@ -133,8 +133,8 @@ void add_forces(const world::ForceProgram& program, bool alone, Numbers& numbers
 }
 
 // Returns what can be changed: positions and roll of knots, or the numbers of the selected section.
-Numbers numbers_of(const edit::Session& session) {
-  Numbers numbers;
+SeekNumberChoices numbers_of(const edit::Session& session) {
+  SeekNumberChoices numbers;
   if (const auto chosen = world::selected_sections(session.document, session.settings); !chosen.empty()) {
     const world::Section& section = world::section(session.document, session.settings.selected);
     if (section.kind == world::SectionKind::force) add_forces(section.force, chosen.size() == 1, numbers);
@@ -223,7 +223,7 @@ void shape_panel(Ui& ui) {
 
 void goal_panel(Ui& ui) {
   const edit::Session& session = ui.session();
-  const Numbers numbers = numbers_of(session);
+  const SeekNumberChoices numbers = numbers_of(session);
   choose_goal(ui);
   GoalInputs& in = ui.inputs.goal;
   if (numbers.words.empty())
@@ -239,7 +239,7 @@ void goal_panel(Ui& ui) {
   if (!button(ui, "Search", "Change these numbers as little as possible until the value is reached. One undo step.",
               true, -1))
     return;
-  edit::Seek seek;
+  edit::SeekGoal seek;
   seek.goal.text = fmt::format("{} {} {}", query::goals()[static_cast<std::size_t>(in.goal)].query,
                                kRelations[static_cast<std::size_t>(in.relation)].sign, base::to_text(*in.value));
   seek.by.text = numbers.words[static_cast<std::size_t>(in.by)];

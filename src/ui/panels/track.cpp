@@ -118,12 +118,12 @@ void building(Ui& ui) {
       fmt::format("Click on the ground to append a knot to an open track. {} ends it.", ui.keys.shown("Cancel"));
   if (const auto on = checkbox(ui, "Append points", session.settings.aids->append_mode,
                                with_keys(ui.keys, help, "Append points"), append_mode_switches(session)))
-    ui.emit(edit::Set<&world::Aids::append_mode>{*on});
+    ui.emit(edit::Set<&world::EditingAids::append_mode>{*on});
 
   ButtonRows pressed{ui, 2, "Insert point"};
   if (pressed("Add curve",
               with_keys(ui.keys, "Split the longest segment at half its length. The shape is unchanged.", "Add curve")))
-    ui.emit(edit::AddCurve{});
+    ui.emit(edit::SplitLongestSegment{});
   if (pressed("Insert point",
               with_keys(ui.keys,
                         "Insert a knot at the selected position without changing the shape (de Casteljau). Or "
@@ -158,8 +158,9 @@ void start(Ui& ui) {
 }
 
 void file(Ui& ui) {
-  if (auto path = text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.", TextShows::end))
-    ui.replace(edit::Load{std::move(*path)});
+  if (auto path =
+          text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.", ShownTextEnd::end))
+    ui.replace(edit::LoadTrack{std::move(*path)});
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   const auto pressed = [&](std::string_view label, std::string_view help) {
     return button(ui, label, with_keys(ui.keys, help, label), true, width);
@@ -198,7 +199,7 @@ bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uin
 
 void track_panel(Ui& ui) {
   if (auto name = text(ui, "Name", ui.session().document.name, "The track's name."))
-    ui.emit(edit::SetName{std::move(*name)});
+    ui.emit(edit::SetTrackName{std::move(*name)});
   size(ui);
   deviation(ui);
   conflicts(ui);

@@ -220,7 +220,7 @@ void draw_series(ImDrawList& list, const PlotArea& area, const Series& series) {
 }
 
 void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot) {
-  for (const Level& level : plot.levels) {
+  for (const LevelLine& level : plot.levels) {
     const float y = std::floor(area.at(area.x.low, level.y).y) + 0.5f;
     if (!std::isfinite(y)) continue;
     const float dash = 7 * area.scale;
@@ -371,7 +371,7 @@ void draw_knobs(WidgetFrame& ui, ImDrawList& list, const PlotArea& area, const P
   }
 }
 
-struct Data {
+struct PlotExtents {
   Extent x, y, right;
 };
 
@@ -386,12 +386,12 @@ void add_series(const Series& s, const PlotAxis& x_axis, const PlotAxis& y_axis,
   if (s.kind == SeriesKind::bars) y.add(0, y_axis.scale);
 }
 
-Data extent_of(const Plot& p) {
-  Data data;
+PlotExtents extent_of(const Plot& p) {
+  PlotExtents data;
   for (const Series& s : p.series) add_series(s, p.x, p.y, data.x, data.y);
   for (const Series& s : p.right_series) add_series(s, p.x, p.right, data.x, data.right);
   if (!data.x.empty())
-    for (const Level& level : p.levels) data.y.add(level.y, p.y.scale);
+    for (const LevelLine& level : p.levels) data.y.add(level.y, p.y.scale);
   for (const Spot& spot : p.spots) {
     data.x.add(spot.x, p.x.scale);
     data.y.add(spot.y, p.y.scale);
@@ -422,7 +422,7 @@ int most_ticks(float room, float each, int least) { return std::max(least, stati
 int most_beside(float room, float text) { return most_ticks(room, 1.9f * text, 3); }
 
 // The labels of the right axis take their space from the data.
-void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
+void lay_out_right(const Plot& p, const PlotExtents& data, float gap, PlotArea& area) {
   if (data.right.empty()) return;
   area.right = range_of(p.right, data.right, 0.06);
   area.right_ticks = ticks(area.right, most_beside(area.high.y - area.low.y, area.text_px));
@@ -434,7 +434,7 @@ void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
 
 // Lays out the plot: labels of the y axis left, its title and the legend above; labels of the x axis below, its title
 // at their end if it is short, else in a separate row.
-PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
+PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const PlotExtents& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
   area.text_px = small_pixels();
@@ -515,7 +515,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   const float least = 4 * small_pixels();
   const ImVec2 size(std::max(least, p.width > 0 ? p.width : room.x), std::max(least, p.height > 0 ? p.height : room.y));
   const ImVec2 high(low.x + size.x, low.y + size.y);
-  const Data data = extent_of(p);
+  const PlotExtents data = extent_of(p);
   const bool any = !data.x.empty() && !(data.y.empty() && data.right.empty());
   const PlotArea area = lay_out(ui, p, data, low, high);
 

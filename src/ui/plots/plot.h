@@ -27,7 +27,7 @@ struct Series {
 };
 
 // A horizontal line at a value: a bound.
-struct Level {
+struct LevelLine {
   std::string label;
   double y = 0;
   std::uint32_t colour = 0xF2B84B;
@@ -77,7 +77,7 @@ struct Plot {
   std::span<const Series> series;
   PlotAxis right = {};  // linear, for right_series, at the right edge; its title is drawn unchanged
   std::span<const Series> right_series = {};
-  std::span<const Level> levels = {};
+  std::span<const LevelLine> levels = {};
   std::span<const Spot> spots = {};
   std::optional<double> cursor = {};         // a vertical line here; dragging returns a new one
   std::optional<double> mark = {};           // a thin vertical line here

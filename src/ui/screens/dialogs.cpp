@@ -89,8 +89,8 @@ void Dialogs::perform(Ui& ui, const ScreenRequest& want) {
 // Asks how points become a track, unless the words say so.
 void Dialogs::replace(Ui& ui, const ScreenRequest& want) {
   base::Files files;
-  const auto* const load = want.command->as<edit::Load>();
-  const bool asks = load != nullptr && load->import == exchange::Import{};
+  const auto* const load = want.command->as<edit::LoadTrack>();
+  const bool asks = load != nullptr && load->import == exchange::ImportOptions{};
   const auto question = asks ? exchange::question_of(files, load->path) : std::nullopt;
   if (!question) return ui.out.commands.push_back(*want.command);
   want_ = want, question_ = *question, dialog_ = Dialog::import;
@@ -150,7 +150,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     return ui.emit(edit::OpenSections{path.string()});
   }
   if (browser_.mode() == FileBrowser::Mode::open) {
-    want_ = {ScreenRequest::Kind::replace, edit::Load{path.string()}};
+    want_ = {ScreenRequest::Kind::replace, edit::LoadTrack{path.string()}};
     return proceed(ui);  // the question about unsaved changes came before
   }
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
@@ -338,14 +338,14 @@ void Dialogs::build_recovery(Ui& ui) {
   if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.", palette().text);
   const std::size_t more = ui.state.kept->recoveries.size() - 1;
   if (more > 0) paragraph(ui, "More", fmt::format("{} more after this one.", more), palette().text);
-  const auto answer = [&](Recovery what) { ui.out.recovery = what, dialog_ = Dialog::none; };
+  const auto answer = [&](RecoveryAnswer what) { ui.out.recovery = what, dialog_ = Dialog::none; };
   if (button(ui, "Recover", "Open the unsaved changes. The file stays as it is until you save."))
-    answer(Recovery::recover);
+    answer(RecoveryAnswer::recover);
   ImGui::SameLine();
-  if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(Recovery::discard);
+  if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(RecoveryAnswer::discard);
   ImGui::SameLine();
   if (button(ui, "Later", "Keep the autosave and ask again at the next start."))
-    answer(Recovery::later), asked_later_ = true;
+    answer(RecoveryAnswer::later), asked_later_ = true;
 }
 
 void Dialogs::build_challenges(Ui& ui) {
@@ -363,7 +363,7 @@ void Dialogs::build_challenges(Ui& ui) {
 }
 
 void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
-  exchange::Import& to = question_.proposed;
+  exchange::ImportOptions& to = question_.proposed;
   const bool rows = question_.points == 0;
   const auto hit = [&](Key a, Key b = Key::unknown) { return !text_had_keyboard && pressed(events, a, b); };
   ui.panel = rows ? "Import rows" : "Import points";
@@ -405,7 +405,7 @@ void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had
   const bool cancel = button(ui, "Cancel", "Keep the open track. Key Escape.") || hit(Key::escape);
   if (cancel) return abandon();
   if (!go) return;
-  ui.emit(edit::Load{want_.command->as<edit::Load>()->path, to});
+  ui.emit(edit::LoadTrack{want_.command->as<edit::LoadTrack>()->path, to});
   abandon();
 }
 

@@ -68,7 +68,7 @@ void FileBrowser::refresh(double seconds) {
 }
 
 bool FileBrowser::knows(const base::FolderEntry& entry) const {
-  const exchange::Format* const format = exchange::format_of(entry.name);
+  const exchange::TrackFormat* const format = exchange::format_of(entry.name);
   return format != nullptr && (mode_ == Mode::open ? format->parse != nullptr : format->print != nullptr);
 }
 
@@ -225,7 +225,7 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   if (auto typed = text(ui, label, words_,
                         saving ? "Name of the file. Its extension selects the format, .json by default."
                                : "Part of a name, a path, or a shared link.",
-                        TextShows::end)) {
+                        ShownTextEnd::end)) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();

@@ -239,7 +239,7 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
     }
     const std::string_view help = "Hide the first steps. View/Show/First steps shows them again.";
     if (button(ui, "Got it", with_keys(ui.keys, help, "First steps")))
-      ui.emit(edit::Set<&world::Aids::show_hints>{false});
+      ui.emit(edit::Set<&world::EditingAids::show_hints>{false});
   });
 }
 
@@ -415,7 +415,7 @@ void draw_movie(Ui& ui, const view::Viewport& scene) {
                movie->encoding ? "Cancel encoding. The pictures are kept."
                                : "Stop recording. Otherwise it stops at the end of the lap.",
                true, button_width))
-      ui.out.movie = MovieWish::stop;
+      ui.out.movie = MovieRequest::stop;
     progress_bar(ui, movie->done, 6, movie->encoding ? palette().accent : palette().error,
                  "Part of the lap that is recorded, then part of the movie that is encoded.");
   });

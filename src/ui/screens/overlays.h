@@ -17,7 +17,7 @@ void draw_section_name(Ui& ui, const view::Viewport& scene);
 std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys);
 // Draws the hint at the bottom: the current transform, or what to click next. It is behind all windows.
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene);
-// Draws the first steps in the lower left corner while Aids::show_hints.
+// Draws the first steps in the lower left corner while EditingAids::show_hints.
 void draw_hints(Ui& ui, const view::Viewport& scene);
 // Returns the part of the scene right of the first steps if they show and leave `width` px; else the scene.
 view::Viewport beside_hints(const Ui& ui, const view::Viewport& scene, float width);

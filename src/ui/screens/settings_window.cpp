@@ -55,29 +55,29 @@ void keeping(Ui& ui) {
   if (button(ui, "Clear recent files###Forget recent files", "Clear the list of recent files.", !now.recent.empty()))
     change_kept(ui).recent.clear();
   ImGui::SameLine();
-  setting_box<&world::Aids::show_hints>(ui, "Hints", "Show the first steps in the viewport.");
+  setting_box<&world::EditingAids::show_hints>(ui, "Hints", "Show the first steps in the viewport.");
   ImGui::SameLine();
-  setting_box<&world::Aids::show_card>(ui, "Score cards", "Show a card with results at the end of a ride.");
+  setting_box<&world::EditingAids::show_card>(ui, "Score cards", "Show a card with results at the end of a ride.");
 }
 
 // Returns the choices with another one for an action: a key, which is removed from other choices, or none. Default keys
 // need no choice.
-std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> keys, const Action& action,
-                                             std::optional<platform::Chord> chord) {
-  std::erase_if(keys, [&](const exchange::KeyChoice& c) { return c.action == action.name; });
+std::vector<exchange::KeyBinding> with_choice(std::vector<exchange::KeyBinding> keys, const Action& action,
+                                              std::optional<platform::KeyChord> chord) {
+  std::erase_if(keys, [&](const exchange::KeyBinding& c) { return c.action == action.name; });
   if (chord)
-    for (exchange::KeyChoice& other : keys)
+    for (exchange::KeyBinding& other : keys)
       std::erase_if(other.keys, [&](const std::string& text) { return platform::parse_chord(text) == chord; });
-  exchange::KeyChoice choice{std::string(action.name), {}};
+  exchange::KeyBinding choice{std::string(action.name), {}};
   if (chord) choice.keys.push_back(platform::to_text(*chord));
   std::vector<std::string> own;
-  for (const platform::Chord& one : {action.chord, action.other})
+  for (const platform::KeyChord& one : {action.chord, action.other})
     if (one.key != platform::Key::unknown) own.push_back(platform::to_text(one));
   if (choice.keys != own) keys.push_back(std::move(choice));
   return keys;
 }
 
-void give_key(Ui& ui, const Action& action, std::optional<platform::Chord> chord) {
+void give_key(Ui& ui, const Action& action, std::optional<platform::KeyChord> chord) {
   const std::string key = chord ? platform::to_text(*chord) : "";
   ui.inputs.keys_note =
       chord ? fmt::format("{} has the key {}.", action.name, key) : fmt::format("{} has no key.", action.name);
@@ -98,9 +98,9 @@ void take_key(Ui& ui, const platform::Events& events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->repeat || press->key == platform::Key::unknown) continue;
     ui.inputs.waits_for_key.clear();
-    const platform::Chord chord{press->key, press->modifiers};
-    if (chord == platform::Chord{platform::Key::escape, {}}) return;
-    const bool none = chord == platform::Chord{platform::Key::backspace, {}};
+    const platform::KeyChord chord{press->key, press->modifiers};
+    if (chord == platform::KeyChord{platform::Key::escape, {}}) return;
+    const bool none = chord == platform::KeyChord{platform::Key::backspace, {}};
     return give_key(ui, *waiting, none ? std::nullopt : std::optional(chord));
   }
 }

@@ -64,7 +64,7 @@ void StartScreen::build_choices(Ui& ui, float width) {
   if (button(ui, "Continue",
              last.empty() ? "No recent track." : fmt::format("Open {}, the most recent track.", last.string()),
              !last.empty() && std::filesystem::exists(last, ignored), width))
-    ui.replace(edit::Load{last.string()});
+    ui.replace(edit::LoadTrack{last.string()});
   choice("New track", "Start an empty track. Click on the ground to place knots.", "New",
          {ScreenRequest::Kind::replace, edit::NewTrack{}});
   choice("Open or import", "Open a track, or import one of NoLimits or openFVD (.csv, .nltrack, .nl2elem, .fvd).",
@@ -141,7 +141,7 @@ void StartScreen::build_tracks(Ui& ui) {
                       fmt::format("Open {}.", file.string()),
                       {},
                       0};
-      if (draw(ui, card, width)) ui.replace(edit::Load{file.string()});
+      if (draw(ui, card, width)) ui.replace(edit::LoadTrack{file.string()});
     }
   };
   std::vector<std::filesystem::path> recent;

@@ -67,16 +67,16 @@ namespace {
 
 using platform::Key;
 
-struct Row {
+struct FlyKeyRow {
   Key key;
   glm::vec3 way;  // right, up, forward
 };
-constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}},
-                                    {Key::s, {0, 0, -1}},
-                                    {Key::d, {1, 0, 0}},
-                                    {Key::a, {-1, 0, 0}},
-                                    {Key::e, {0, 1, 0}},
-                                    {Key::q, {0, -1, 0}}}};
+constexpr std::array<FlyKeyRow, 6> kRows{{{Key::w, {0, 0, 1}},
+                                          {Key::s, {0, 0, -1}},
+                                          {Key::d, {1, 0, 0}},
+                                          {Key::a, {-1, 0, 0}},
+                                          {Key::e, {0, 1, 0}},
+                                          {Key::q, {0, -1, 0}}}};
 
 // By place: the keys form a cross for the left hand in every layout.
 Key place_of(const platform::KeyPress& press) { return press.place == Key::unknown ? press.key : press.place; }
@@ -119,7 +119,7 @@ void add_new(const world::Document& document, std::vector<glm::vec3>& points) {
 
 bool is_fly_key(const platform::KeyPress& press) {
   if (press.modifiers.ctrl || press.modifiers.alt) return false;
-  return std::any_of(kRows.begin(), kRows.end(), [&](const Row& row) { return row.key == place_of(press); });
+  return std::any_of(kRows.begin(), kRows.end(), [&](const FlyKeyRow& row) { return row.key == place_of(press); });
 }
 
 void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard) {
@@ -146,7 +146,7 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
   if (way == glm::vec3(0) || !(seconds > 0)) return;
   const float metres = kSpeed * (fast_ ? kFaster : 1) * static_cast<float>(std::min(seconds, kLongestFrame));
   const world::FlyCamera now = fly_now(ui), to = flown(now, metres * glm::normalize(way));
-  if (to != now) ui.emit(edit::SetFly{to});
+  if (to != now) ui.emit(edit::SetFlyCamera{to});
 }
 
 world::Camera camera_now(const Ui& ui) {
@@ -158,7 +158,7 @@ world::Camera camera_now(const Ui& ui) {
 world::FlyCamera fly_now(const Ui& ui) {
   world::FlyCamera camera = ui.session().settings.fly;
   for (const edit::Command& command : ui.out.commands)
-    if (const auto* const set = command.as<edit::SetFly>()) camera = set->to;
+    if (const auto* const set = command.as<edit::SetFlyCamera>()) camera = set->to;
   return camera;
 }
 
@@ -181,7 +181,7 @@ world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale) {
 
 void choose_camera(Ui& ui, world::CameraMode mode) {
   if (mode == world::CameraMode::fly && ui.session().settings.camera_mode != mode)
-    ui.emit(edit::SetFly{view::fly_from(ui.out.view)});
+    ui.emit(edit::SetFlyCamera{view::fly_from(ui.out.view)});
   ui.emit(edit::Set<&world::Settings::camera_mode>{mode});
 }
 
@@ -199,7 +199,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
   const world::Settings& settings = session.settings;
   const std::vector<world::Entity>& knots = session.document.track.knots;
   std::vector<glm::vec3> points = preview_points(ui);
-  Seen now{{}, glm::vec3(0), points};
+  FollowedState now{{}, glm::vec3(0), points};
   if (!session.document.track.closed && !knots.empty()) {
     now.last = knots.back(), now.end = world::knot(session.document, now.last).position;
     points.push_back(now.end);
@@ -211,7 +211,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
   };
   // Changes during a drag are followed when it has ended.
   if (!std::exchange(busy_, busy) && !busy) {
-    const std::optional<Seen> before = std::exchange(seen_, now);
+    const std::optional<FollowedState> before = std::exchange(seen_, now);
     if (before && *before != now) {
       to_.reset();
       const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;

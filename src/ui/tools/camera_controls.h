@@ -52,15 +52,15 @@ class FollowCamera {
   void update(Ui& ui, const view::View& view, const view::Viewport& free, bool busy);
 
  private:
-  struct Seen {
+  struct FollowedState {
     world::Entity last;              // the last knot of an open track
     glm::vec3 end{0};                // m, its position
     std::vector<glm::vec3> preview;  // preview_points()
-    friend bool operator==(const Seen&, const Seen&) = default;
+    friend bool operator==(const FollowedState&, const FollowedState&) = default;
   };
   std::size_t undone_ = 0;                       // steps that redo has in the last frame: more of them are an undo
   bool busy_ = false;                            // in the last frame: its commands may still change the track
-  std::optional<Seen> seen_;                     // the last state; nothing before the first frame
+  std::optional<FollowedState> seen_;            // the last state; nothing before the first frame
   std::optional<world::Camera> to_;              // target of the camera's motion
   world::Camera sent_;                           // its last step
   std::optional<world::Camera> before_preview_;  // where a preview took it away: a smaller one takes it back

@@ -60,18 +60,18 @@ void place_shown_element(Ui& ui) {
 
 bool completable(const world::Document& document) { return !document.track.closed && !document.track.segments.empty(); }
 
-std::size_t shown_proposal(const world::Aids& aids, const sim::CircuitProposals& found) {
+std::size_t shown_proposal(const world::EditingAids& aids, const sim::CircuitProposals& found) {
   const auto wanted = static_cast<std::size_t>(std::max(aids.circuit, 1));
   return std::min(wanted, std::max<std::size_t>(found.list.size(), 1)) - 1;
 }
 
 void show_proposals(Ui& ui) {
-  if (ui.session().settings.aids->show_element) ui.emit(edit::Set<&world::Aids::show_element>{false});
-  ui.emit(edit::Set<&world::Aids::circuit>{1});
+  if (ui.session().settings.aids->show_element) ui.emit(edit::Set<&world::EditingAids::show_element>{false});
+  ui.emit(edit::Set<&world::EditingAids::circuit>{1});
 }
 
 void toggle_proposals(Ui& ui) {
-  if (ui.session().settings.aids->circuit > 0) ui.emit(edit::Set<&world::Aids::circuit>{0});
+  if (ui.session().settings.aids->circuit > 0) ui.emit(edit::Set<&world::EditingAids::circuit>{0});
   else show_proposals(ui);
 }
 
@@ -79,18 +79,18 @@ void next_proposal(Ui& ui) {
   const sim::CircuitProposals& found = ui.find.circuit();
   if (found.list.empty()) return;
   const std::size_t next = (shown_proposal(*ui.session().settings.aids, found) + 1) % found.list.size();
-  ui.emit(edit::Set<&world::Aids::circuit>{static_cast<int>(next) + 1});
+  ui.emit(edit::Set<&world::EditingAids::circuit>{static_cast<int>(next) + 1});
 }
 
 void place_proposal(Ui& ui) {
   const sim::CircuitProposals& found = ui.find.circuit();
   ui.emit(edit::CompleteCircuit{static_cast<int>(shown_proposal(*ui.session().settings.aids, found)) + 1});
-  if (!found.list.empty()) ui.emit(edit::Set<&world::Aids::circuit>{0});
+  if (!found.list.empty()) ui.emit(edit::Set<&world::EditingAids::circuit>{0});
 }
 
 std::vector<glm::vec3> preview_points(const Ui& ui) {
   std::vector<glm::vec3> points;
-  const world::Aids& aids = *ui.session().settings.aids;
+  const world::EditingAids& aids = *ui.session().settings.aids;
   const auto add = [&](const sim::ElementPlan& plan) {
     if (plan.refusal.empty())
       for (const world::Knot& knot : plan.fit.knots) points.emplace_back(knot.position);

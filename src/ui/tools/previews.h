@@ -14,7 +14,7 @@ void place_shown_element(Ui& ui);
 // True if a track is open and has a segment.
 bool completable(const world::Document& document);
 // Returns the index of the proposal on display.
-std::size_t shown_proposal(const world::Aids& aids, const sim::CircuitProposals& found);
+std::size_t shown_proposal(const world::EditingAids& aids, const sim::CircuitProposals& found);
 // Shows the first proposal and hides the palette's element.
 void show_proposals(Ui& ui);
 void toggle_proposals(Ui& ui);

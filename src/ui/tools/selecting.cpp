@@ -27,7 +27,7 @@ bool is_open(const edit::Session& session, Entity section) {
   const Entity active = session.settings.selected;
   if (section_of_segment(document, active) == section) return true;
   if (!document.entities.find<world::Knot>(active)) return false;
-  const world::Neighbours sides = world::neighbours(document, active);
+  const world::KnotSegments sides = world::neighbours(document, active);
   return section_of_segment(document, sides.before) == section || section_of_segment(document, sides.after) == section;
 }
 
@@ -102,7 +102,7 @@ Entity section_under(const edit::Session& session, const view::Pick& under) {
   const world::Document& document = session.document;
   if (under.kind == view::PickKind::curve) return section_of_segment(document, under.entity);
   if (under.kind != view::PickKind::knot || !document.entities.alive(under.entity)) return world::kNone;
-  const world::Neighbours sides = world::neighbours(document, under.entity);
+  const world::KnotSegments sides = world::neighbours(document, under.entity);
   const Entity before = section_of_segment(document, sides.before), after = section_of_segment(document, sides.after);
   if (!before.valid() || (after.valid() && is_open(session, after) && !is_open(session, before))) return after;
   return before;

@@ -218,7 +218,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
     case DragTarget::orbit:
       if (turns) set_camera(ui, orbited(camera, by, ui.scale));
       if (by != glm::vec2(0) && mode == world::CameraMode::fly)
-        ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
+        ui.emit(edit::SetFlyCamera{looked(fly_now(ui), by, ui.scale)});
       break;
     case DragTarget::pan:
       if (turns) ui.emit(edit::set_camera(panned(camera, view, by)));
@@ -250,11 +250,11 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
 void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   const world::Document& document = ui.session().document;
-  const Along along = io.KeyShift ? Along::vertical : io.KeyCtrl ? Along::ground : Along::screen;
+  const DragPlane along = io.KeyShift ? DragPlane::vertical : io.KeyCtrl ? DragPlane::ground : DragPlane::screen;
   const auto hit = [&](glm::vec2 pixel) -> std::optional<glm::vec3> {
     const view::Ray ray = view::ray_through(view, pixel);
-    if (along == Along::screen) return view::meet_plane(ray, drag_.anchor, view::line_of_sight(view));
-    if (along == Along::ground) return view::meet_plane(ray, drag_.anchor, {0, 1, 0});
+    if (along == DragPlane::screen) return view::meet_plane(ray, drag_.anchor, view::line_of_sight(view));
+    if (along == DragPlane::ground) return view::meet_plane(ray, drag_.anchor, {0, 1, 0});
     const auto height = view::meet_vertical(ray, drag_.anchor);
     return height ? std::optional(glm::vec3(drag_.anchor.x, *height, drag_.anchor.z)) : std::nullopt;
   };
@@ -272,9 +272,9 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const world::Settings& settings = ui.session().settings;
   if (drag_.pick.kind == PickKind::knot) draw_snap_label(ui, TransformKind::move, settings.snapping.to);
   if (drag_.pick.kind == PickKind::knot && settings.snapping.to != world::SnapTo::off) {
-    const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis
-                                : along == Along::ground ? Constraint::Kind::plane
-                                                         : Constraint::Kind::free,
+    const Constraint constraint{along == DragPlane::vertical ? Constraint::Kind::axis
+                                : along == DragPlane::ground ? Constraint::Kind::plane
+                                                             : Constraint::Kind::free,
                                 1};
     to = glm::vec3(snapped({document, settings, view, mouse}, settings.snapping.to, glm::dvec3(to),
                            glm::dvec3(drag_.anchor), constraint));
@@ -343,7 +343,7 @@ void ViewportTool::click_ground(Ui& ui, const view::View& view) {
   if ((appends && !track.closed) || (track.knots.empty() && !session.settings.aids->show_element)) {
     const auto at = append_place(session.document, view, drag_.start);
     if (at) ui.emit(edit::AppendKnot{*at});
-    if (at && !appends) ui.emit(edit::Set<&world::Aids::append_mode>{true});
+    if (at && !appends) ui.emit(edit::Set<&world::EditingAids::append_mode>{true});
   } else if (session.settings.selected.valid()) {
     ui.emit(edit::Select{});
   }
@@ -412,7 +412,7 @@ void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
     case world::CameraMode::orbit:
       ui.emit(edit::set_camera(zoomed(settings.camera, view, mouse_position(), notches)));
       break;
-    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::fly: ui.emit(edit::SetFlyCamera{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
     case world::CameraMode::chase: zoom_chase(ui, notches); break;
     case world::CameraMode::ride: break;
   }

@@ -29,7 +29,7 @@ class ViewportTool {
 
  private:
   enum class DragTarget : std::uint8_t { nothing, item, spin, section, place, cart, orbit, pan, box };
-  enum class Along : std::uint8_t { screen, vertical, ground };  // direction of a drag
+  enum class DragPlane : std::uint8_t { screen, vertical, ground };  // direction of a drag
   struct Drag {
     DragTarget what = DragTarget::nothing;
     int button = 0;
@@ -40,7 +40,7 @@ class ViewportTool {
     bool shift = false, ctrl = false;  // held at the press
     BoxMode box = BoxMode::replace;
     bool gesture = false;  // BeginGesture was emitted
-    Along along = Along::screen;
+    DragPlane along = DragPlane::screen;
     bool grabbed = false;
     glm::vec3 anchor{0}, offset{0};  // m: position of the item at the press, and its offset from the ray's hit
     glm::vec3 sent{0};               // m: the position of the last command

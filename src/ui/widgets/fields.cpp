@@ -57,7 +57,7 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
 bool is_wished(WidgetFrame& ui, ImGuiID id, bool enabled) {
   constexpr int kFrames = 3;
   if (!ui.wish || !enabled) return false;
-  FieldWish& wish = *ui.wish;
+  FieldFocusRequest& wish = *ui.wish;
   if (!wish.panel.empty() && wish.panel == ui.panel) {
     wish = {"", id, kFrames};
     ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -84,11 +84,11 @@ std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Numbe
 }
 
 // A number field in the user's units.
-struct UsersNumber {
+struct ShownNumber {
   Number shown;
   base::ShownUnit unit;
 };
-UsersNumber in_users_units(const WidgetFrame& ui, const Number& metric) {
+ShownNumber in_users_units(const WidgetFrame& ui, const Number& metric) {
   const base::ShownUnit unit = base::shown_in(ui.units, metric.typed_in);
   Number n = metric;
   for (double* const value : {&n.value, &n.step, &n.low, &n.high, &n.largest}) *value *= unit.factor;
@@ -312,7 +312,7 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
 }
 
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
-                                std::string_view tooltip, TextShows shows) {
+                                std::string_view tooltip, ShownTextEnd shows) {
   begin_row(label);
   const ImVec2 at = ImGui::GetCursorScreenPos(), padding = ImGui::GetStyle().FramePadding;
   const float room = ImGui::CalcItemWidth() - 2 * padding.x;
@@ -322,7 +322,7 @@ std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const s
   if (cut) {
     ImGui::PopStyleColor();
     draw_text(*ImGui::GetWindowDrawList(), {at.x + padding.x, at.y + padding.y}, palette().text,
-              shortened(value, room, shows == TextShows::end));
+              shortened(value, room, shows == ShownTextEnd::end));
   }
   note_item(ui, label, "text", cut ? fmt::format("{}\n{}", tooltip, value) : std::string(tooltip), true,
             typing == Typing::open ? ui.entry.text.data() : value);

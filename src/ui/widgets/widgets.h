@@ -28,7 +28,7 @@ struct Entry {
 };
 
 // The current drag of a number: one undo step, which begins with its first change.
-struct Gesture {
+struct NumberDrag {
   unsigned id = 0;
   bool open = false;
 };
@@ -42,7 +42,7 @@ struct HoverTime {
 };
 
 // A request that a number field takes the keyboard without the mouse.
-struct FieldWish {
+struct FieldFocusRequest {
   std::string panel;  // of its first field that is drawn next; empty: none
   unsigned id = 0;    // id of that field
   int frames = 0;     // frames left to take the keyboard
@@ -52,14 +52,14 @@ struct FieldWish {
 struct WidgetFrame {
   WidgetList& list;
   Entry& entry;
-  Gesture& gesture;
+  NumberDrag& gesture;
   HoverTime& rest;
   const std::function<void()>& begin_gesture;                // called before the first change of a drag
   const std::function<void(const std::string& text)>& warn;  // shows a notice about rejected input
   float scale = 1;                                           // px per design px
   std::string panel;                                         // first part of the paths
   base::UnitSystem units = base::UnitSystem::m_s;            // units of displayed values and words
-  FieldWish* wish = nullptr;                                 // null: fields take only the mouse
+  FieldFocusRequest* wish = nullptr;                         // null: fields take only the mouse
   std::string locked = {};                                   // why widgets are disabled now; empty: they are not
 };
 
@@ -208,10 +208,10 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
                                   int decimals, std::string_view tooltip, const char* unit = "");
 // What a text field shows of a text that is too long while it is not edited: of a path its end. The tooltip has it all.
-enum class TextShows { start, end };
+enum class ShownTextEnd { start, end };
 // Shows a text field. Returns the text on Enter, or when it loses focus with the text changed.
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
-                                std::string_view tooltip, TextShows shows = TextShows::start);
+                                std::string_view tooltip, ShownTextEnd shows = ShownTextEnd::start);
 
 // Shows a label on the left, value and unit on the right, in the warning colour if it `warns`, or red. Text is shown
 // unchanged, a number in the user's units, kNoNumber as "--".

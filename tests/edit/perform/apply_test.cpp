@@ -50,7 +50,7 @@ TEST_F(Applying, save_and_load_bring_the_same_document) {
   EXPECT_TRUE(session.document == world::Document{});
   EXPECT_TRUE(session.history.undo.empty());
   EXPECT_EQ(session.motion.carts.size(), 0u);
-  ASSERT_TRUE(apply(Load{file("a.json")}));
+  ASSERT_TRUE(apply(LoadTrack{file("a.json")}));
   EXPECT_EQ(hash(), before);
   EXPECT_EQ(session.motion.carts.size(), 2u);
   EXPECT_FALSE(dirty(session));
@@ -145,7 +145,7 @@ TEST_F(Applying, a_track_that_is_opened_is_complete_however_late_it_is_cancelled
     CancelledLater cancel(questions);
     const auto status = [&] {
       const base::JobScope working(&cancel.progress);
-      return apply(Load{file("a.json")});
+      return apply(LoadTrack{file("a.json")});
     }();
     if (!status) settle(session);
     opened += status.ok();
@@ -165,7 +165,7 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
     EXPECT_GT(std::filesystem::file_size(file(name)), 0u);
     EXPECT_TRUE(dirty(session));
     EXPECT_EQ(session.file.path, file("a.json"));
-    EXPECT_EQ(apply(Load{file(name)}).code, base::Code::bad_file);
+    EXPECT_EQ(apply(LoadTrack{file(name)}).code, base::Code::bad_file);
     EXPECT_NE(session.notices.list.back().text.find("can only be written; expected a file ending in .json"),
               std::string::npos);
   }
@@ -193,7 +193,7 @@ TEST_F(Applying, a_file_that_another_program_changed_is_not_overwritten) {
   }
   EXPECT_TRUE(session.document == before && dirty(session));
   EXPECT_TRUE(apply(Save{file("b.json")})) << "another name";
-  EXPECT_TRUE(apply(Load{file("b.json")}));
+  EXPECT_TRUE(apply(LoadTrack{file("b.json")}));
   EXPECT_TRUE(apply(Save{file("b.json")})) << "nobody changed this one";
   EXPECT_TRUE(apply(Save{file("b.json")}));
 
@@ -224,7 +224,7 @@ TEST_F(Applying, a_recovered_track_may_replace_the_file_that_it_was_compared_wit
 // Saving an import goes to a new file, never to the imported one; until then it is not saved.
 TEST_F(Applying, an_imported_track_has_no_path) {
   ASSERT_TRUE(apply(Save{file("a.json")}));
-  ASSERT_TRUE(apply(Load{COASTER_SOURCE_DIR "/tests/tracks/ring.nltrack"}));
+  ASSERT_TRUE(apply(LoadTrack{COASTER_SOURCE_DIR "/tests/tracks/ring.nltrack"}));
   EXPECT_TRUE(session.file.path.empty());
   EXPECT_EQ(session.document.name, "ring");
   EXPECT_TRUE(dirty(session));
@@ -237,7 +237,7 @@ TEST_F(Applying, a_track_of_a_link_has_no_path_and_the_view_of_the_link) {
   const std::string link = "https://example.org/" + exchange::print_link(session.document, view);
   const std::size_t knots = session.document.track.knots.size();
   good("new");
-  ASSERT_TRUE(apply(Load{link}));
+  ASSERT_TRUE(apply(LoadTrack{link}));
   EXPECT_EQ(session.document.track.knots.size(), knots);
   EXPECT_TRUE(session.file.path.empty());
   EXPECT_FALSE(dirty(session));
@@ -245,7 +245,7 @@ TEST_F(Applying, a_track_of_a_link_has_no_path_and_the_view_of_the_link) {
 
 TEST_F(Applying, files_that_fail_leave_everything_as_it_was) {
   const world::Document before = session.document;
-  EXPECT_EQ(apply(Load{file("none.json")}).code, base::Code::bad_file);
+  EXPECT_EQ(apply(LoadTrack{file("none.json")}).code, base::Code::bad_file);
   EXPECT_EQ(session.notices.list.back().kind, NoticeKind::error);
   files.inject(base::IoOperation::fsync, 1);
   EXPECT_EQ(apply(Save{file("a.json")}).code, base::Code::io);
@@ -260,7 +260,7 @@ TEST_F(Applying, loading_a_track_over_the_budget_lowers_the_resolution) {
   good("new");
   good("resolution 1000");
   good("vertex_budget 1000");
-  ASSERT_TRUE(apply(Load{file("a.json")}));
+  ASSERT_TRUE(apply(LoadTrack{file("a.json")}));
   EXPECT_EQ(session.settings.evaluation->steps, 249);
   EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
   EXPECT_EQ(session.derived.vertices, 1000);

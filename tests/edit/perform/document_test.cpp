@@ -16,9 +16,9 @@ TEST_F(DocumentMembers, names_are_utf_8_without_control_characters) {
   EXPECT_EQ(session.document.name, "Ünï — 東京 😀");
   for (const char* bad : {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80",
                           "\xe0\x80\x80", "a\tb", "\x7f"})
-    refused(SetName{bad}, "UTF-8");
-  refused(SetName{std::string(201, 'x')}, "limit of 200 bytes");
-  EXPECT_TRUE(apply(SetName{std::string(200, 'x')}));
+    refused(SetTrackName{bad}, "UTF-8");
+  refused(SetTrackName{std::string(201, 'x')}, "limit of 200 bytes");
+  EXPECT_TRUE(apply(SetTrackName{std::string(200, 'x')}));
 }
 
 // The status bar shows the last notice.

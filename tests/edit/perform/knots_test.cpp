@@ -99,8 +99,8 @@ TEST_F(ShapingKnots, numbers_that_are_not_finite_are_refused) {
     refused(MoveKnot{k, {1, bad, 3}}, "finite");
     refused(MoveHandle{{k.name, HandleEnd::in}, {bad, 2, 3}}, "finite");
     refused(SetDirection{k, {1, 2, bad}}, "finite");
-    refused(SetLengths{k, bad, 5}, "finite");
-    refused(SetLengths{k, 5, bad}, "finite");
+    refused(SetHandleLengths{k, bad, 5}, "finite");
+    refused(SetHandleLengths{k, 5, bad}, "finite");
     refused(SetRoll{k, bad}, "finite");
   }
 }

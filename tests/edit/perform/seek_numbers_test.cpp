@@ -14,12 +14,12 @@ class SeekNumbers : public test::Forces {
  protected:
   SeekNumbers() { start_on(test::sample_document()); }
   std::vector<SeekNumber> numbers(const std::string& rest) {
-    const auto found = seek_numbers(session, *command("seek 20 " + rest).as<Seek>());
+    const auto found = seek_numbers(session, *command("seek 20 " + rest).as<SeekGoal>());
     EXPECT_TRUE(found) << rest << ": " << found.status().message;
     return found ? *found : std::vector<SeekNumber>{};
   }
   std::string refusal(const std::string& rest) {
-    const auto found = seek_numbers(session, *command("seek 20 " + rest).as<Seek>());
+    const auto found = seek_numbers(session, *command("seek 20 " + rest).as<SeekGoal>());
     EXPECT_FALSE(found) << rest;
     return found ? "" : found.status().message;
   }

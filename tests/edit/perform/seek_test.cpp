@@ -22,7 +22,7 @@ class Searches : public test::SessionTest {
  protected:
   Searches() { session.game.referee.measure = height_of_k3; }
   float height() { return world::knot(session.document, entity("k3")).position.y; }
-  static Seek seek(const Command& command) { return *command.as<Seek>(); }
+  static SeekGoal seek(const Command& command) { return *command.as<SeekGoal>(); }
 };
 
 TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) {

@@ -69,7 +69,7 @@ TEST_F(ChangingSettings, how_the_cameras_feel_is_clamped) {
   clamped("camera.fly eye 1 -2 3 yaw 370 pitch 9", "limit of 0.5 m");
   clamped("camera.fly eye 1 0.5 3 yaw 370 pitch 95", "limit of 89 degrees");
   EXPECT_EQ(session.settings.fly, (world::FlyCamera{{1, 0.5f, 3}, 10, 89}));
-  refused(SetFly{{{0, kNan, 0}, 0, 0}}, "finite");
+  refused(SetFlyCamera{{{0, kNan, 0}, 0, 0}}, "finite");
   refused(Set<&world::CameraFeel::roll_damping>{kNan}, "finite");
   refused(Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(9)}, "no row 9");
 }

@@ -7,7 +7,7 @@ namespace coaster::exchange {
 namespace force_text_test {
 
 TEST(force_text, copied_keys_are_read_as_they_were_written) {
-  const CopiedKeys copied{world::ForceDomain::time, {{0.5, 1}, {2, 3.5, 0.1, 0.25, 0}, {60, -10}}};
+  const CopiedForceKeys copied{world::ForceDomain::time, {{0.5, 1}, {2, 3.5, 0.1, 0.25, 0}, {60, -10}}};
   const std::string text = print_keys(copied);
   EXPECT_EQ(text, R"({"force-keys": "time", "keys": [[0.5, 1], [2, 3.5, 0.1, 0.25, 0], [60, -10]]})");
   const auto read = parse_keys(text);
@@ -17,7 +17,7 @@ TEST(force_text, copied_keys_are_read_as_they_were_written) {
 }
 
 TEST(force_text, keys_of_curvature_are_marked) {
-  const CopiedKeys copied{world::ForceDomain::distance, {{2, 0.02}}, world::ForceQuantity::curvature};
+  const CopiedForceKeys copied{world::ForceDomain::distance, {{2, 0.02}}, world::ForceQuantity::curvature};
   const std::string text = print_keys(copied);
   EXPECT_EQ(text, R"({"force-keys": "distance", "of": "curvature", "keys": [[2, 0.02]]})");
   const auto read = parse_keys(text);

@@ -13,7 +13,8 @@
 namespace coaster::exchange {
 namespace points_test {
 
-base::Result<LoadedTrack> parse(std::string_view text, const Import& import = {.up = world::Axis::y, .scale = 1}) {
+base::Result<LoadedTrack> parse(std::string_view text,
+                                const ImportOptions& import = {.up = world::Axis::y, .scale = 1}) {
   return parse_points(text, "a.xyz", import);
 }
 
@@ -56,10 +57,10 @@ TEST(points, a_wrong_row_or_count_is_refused_with_its_line) {
 TEST(points, axis_and_unit_are_proposed_and_z_up_is_a_rotation) {
   const auto plan = read_points("0 0 0\n400 0 5\n400 300 9\n0 300 5\n0 0 0", "plan");
   ASSERT_TRUE(plan);
-  EXPECT_EQ(proposed(*plan, {}), (Import{.up = world::Axis::z, .scale = 1}));
+  EXPECT_EQ(proposed(*plan, {}), (ImportOptions{.up = world::Axis::z, .scale = 1}));
   const auto small = read_points("0 0 0\n4 1 0\n8 0 0", "profile");
   ASSERT_TRUE(small);
-  EXPECT_EQ(proposed(*small, {}), (Import{.up = world::Axis::y, .scale = 100}));
+  EXPECT_EQ(proposed(*small, {}), (ImportOptions{.up = world::Axis::y, .scale = 100}));
   EXPECT_EQ(with_y_up({1, 2, 3}, world::Axis::z), glm::dvec3(1, 3, -2));
 }
 

@@ -16,7 +16,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 // Follows the heading with straight steps of 3 cm, by its value in their middle.
-dvec2 followed(const Turns& turns, dvec2 from) {
+dvec2 followed(const TurnsInPlan& turns, dvec2 from) {
   const int steps = static_cast<int>(turns.length() / 0.01) + 1;
   const double step = turns.length() / steps;
   for (int i = 0; i < steps; ++i) {
@@ -40,7 +40,7 @@ TEST(circuit_turns, every_choice_arrives_at_the_place_and_heading_of_the_end) {
     for (std::size_t i = 0; i < choices.size(); i += 5) {
       const TurnChoice& choice = choices[i];
       EXPECT_LT(glm::distance(followed(choice.rough, from.place), to.place), 0.3);
-      const std::optional<Turns> turns = exact_turns(from, to, choice);
+      const std::optional<TurnsInPlan> turns = exact_turns(from, to, choice);
       if (!turns) continue;
       ++exact;
       EXPECT_LT(glm::distance(followed(*turns, from.place), to.place), 2e-4);
@@ -309,7 +309,7 @@ TEST(circuit_search, keeps_rails_a_metre_above_the_ground_where_the_ends_are) {
       const CircuitCandidates candidates = circuit_candidates(task);
       double lowest = 1e9;
       for (const CircuitCandidate& candidate : candidates.list) {
-        const Heights heights = candidates.rough(candidate).heights;
+        const HeightProfile heights = candidates.rough(candidate).heights;
         for (double u = 0; u < heights.length(); u += 0.1) lowest = std::min(lowest, heights.at(u).height + rails);
       }
       EXPECT_NEAR(lowest, ends == 4.95 ? 4.95 : ends == 5.05 ? 1.05 : 0.6, 0.02) << rails << ", " << ends;

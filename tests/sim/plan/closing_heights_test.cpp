@@ -24,7 +24,7 @@ TEST(circuit_heights, track_that_begins_steeper_than_a_closing_section_may_be_go
     EXPECT_NEAR(heights->length(), ends.length, 1e-9);
     double least_radius = 1e9;
     for (double u = 0; u <= ends.length; u += 0.01) {
-      const Heights::At at = heights->at(u);
+      const HeightProfile::At at = heights->at(u);
       EXPECT_NEAR(at.slope, u < steady ? sign : std::clamp(at.slope, -1.0, 1.0), 1e-12) << u;
       if (at.change != 0) least_radius = std::min(least_radius, 1 / std::abs(at.change));
     }
@@ -46,7 +46,7 @@ TEST(circuit_heights, heights_slopes_and_changes_agree) {
     EXPECT_NEAR(heights->at(ends.length).slope, ends.slope_to, 1e-12);
     constexpr double kStep = 1e-3;
     for (double u = kStep; u < ends.length - kStep; u += 0.37) {
-      const Heights::At before = heights->at(u - kStep), at = heights->at(u), after = heights->at(u + kStep);
+      const HeightProfile::At before = heights->at(u - kStep), at = heights->at(u), after = heights->at(u + kStep);
       EXPECT_NEAR((after.height - before.height) / (2 * kStep), at.slope, 1e-7) << u;
       EXPECT_NEAR((after.slope - before.slope) / (2 * kStep), at.change, 1e-6) << u;
     }

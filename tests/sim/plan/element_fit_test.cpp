@@ -69,7 +69,7 @@ ElementCurve climbing_turn(dvec3 start) {
   path.set_axes({1, 0, 0}, {0, 1, 0}, {0, 0, -1});
   path.add(12, [](double u) {
     const double sin = std::sin(u / kRadius), cos = std::cos(u / kRadius);
-    return ElementRate{{cos, kRise, sin}, {-sin / kRadius, 0, cos / kRadius}, dvec3(0), 0};
+    return ElementDerivatives{{cos, kRise, sin}, {-sin / kRadius, 0, cos / kRadius}, dvec3(0), 0};
   });
   return path.finish(path.curve().length());
 }

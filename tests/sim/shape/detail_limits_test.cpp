@@ -24,7 +24,7 @@ world::Document corners(int count) {
 }
 
 std::size_t bytes_of_solids(const DerivedTrack& derived) {
-  const Detail detail = detail_of(derived);
+  const SolidsDetail detail = detail_of(derived);
   std::size_t bytes = 0;
   Mesh mesh;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -44,7 +44,7 @@ std::size_t bytes_of_tables(const RailTables& tables) {
 
 TEST(detail, ordinary_tracks_have_all_of_it) {
   for (const world::Document& d : {test::sample_document(), test::ring_document(200, 900.0)}) {
-    EXPECT_EQ(detail_of(test::derived_of(d)), Detail());
+    EXPECT_EQ(detail_of(test::derived_of(d)), SolidsDetail());
     EXPECT_EQ(detail_text(detail_of(test::derived_of(d))), "");
   }
 }
@@ -55,7 +55,7 @@ TEST(detail, knots_at_the_corners_of_the_world_take_bounded_memory) {
     const world::Document d = corners(count);
     const DerivedTrack derived = test::derived_of(d);
     ASSERT_GT(derived.length, 2e5 * (count - 1));
-    const Detail detail = detail_of(derived);
+    const SolidsDetail detail = detail_of(derived);
     EXPECT_FALSE(detail.parts);
     EXPECT_NE(detail_text(detail).find("near the eye"), std::string::npos);
     EXPECT_LT(bytes_of_solids(derived), 600u << 20);
@@ -78,7 +78,7 @@ TEST(detail, many_segments_share_the_rings) {
   int before = kMaxRings;
   for (const std::size_t segments : {1000u, 1001u, 5000u, 100'000u, 200'000u, 200'001u, 1'000'000u}) {
     derived.order.resize(segments);
-    const Detail detail = detail_of(derived);
+    const SolidsDetail detail = detail_of(derived);
     EXPECT_LE(static_cast<std::size_t>(detail.most_rings) * segments, kMaxAllRings) << segments;
     EXPECT_LE(detail.most_rings, before) << segments;
     EXPECT_EQ(detail.most_rings == 0, segments > 200'000) << segments;

@@ -112,7 +112,7 @@ TEST(near_track, has_finer_rails_than_the_whole_track_may) {
   const world::Document d = test::ring_document(100'000, 60'000);
   DerivedTrack derived = test::derived_of(d);
   NearSegments near;
-  const Detail whole = detail_of(derived);
+  const SolidsDetail whole = detail_of(derived);
   EXPECT_EQ(near.detail(whole), whole);
   near.look_from({at(d, 9), 100});
   near.update(derived);

@@ -22,7 +22,7 @@ TEST(action_table, no_key_is_given_twice_and_every_row_is_explained) {
     EXPECT_FALSE(a.help.empty()) << a.name;
     EXPECT_EQ(a.enabled.otherwise.empty(), a.enabled.holds == kAlways.holds) << a.name;
     for (const Action& b : actions())
-      for (const platform::Chord& chord : {a.chord, a.other}) {
+      for (const platform::KeyChord& chord : {a.chord, a.other}) {
         if (&a == &b || chord.key == platform::Key::unknown) continue;
         EXPECT_TRUE(chord != b.chord && chord != b.other) << a.name << ", " << b.name;
       }
@@ -121,7 +121,7 @@ TEST_F(ActionsTest, nothing_is_appended_to_a_closed_track_and_each_way_to_do_it_
   EXPECT_EQ(host_->toast(), "The track is closed: open it first (Closed in the Track panel).");
   EXPECT_FALSE(find("Elements/Draw knots")->enabled);
   EXPECT_FALSE(find("Track/Append points")->enabled);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::append_mode>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::append_mode>{true}));
   frames(2);
   EXPECT_TRUE(find("Elements/Draw knots")->enabled) << "to end it";
   EXPECT_TRUE(find("Track/Append points")->enabled);
@@ -187,7 +187,7 @@ TEST_F(ActionsTest, f_frames_the_track_so_that_every_knot_is_in_the_viewport) {
 }
 
 TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
-  const exchange::KeyChoice choices[] = {{"Panels", {"F7"}}};
+  const exchange::KeyBinding choices[] = {{"Panels", {"F7"}}};
   EXPECT_TRUE(host_->set_keys(choices).empty());
   frames(2);
   key(platform::Key::tab);

@@ -72,7 +72,7 @@ TEST_F(gamepad, sticks_turn_and_move_cameras_as_they_point) {
   };
   for (const world::CameraMode mode : {world::CameraMode::orbit, world::CameraMode::fly}) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Settings::camera_mode>{mode}));
-    const edit::SetFly start{world::FlyCamera{{3, 20, 7}, 30, -5}};
+    const edit::SetFlyCamera start{world::FlyCamera{{3, 20, 7}, 30, -5}};
     if (mode == world::CameraMode::fly) {
       ASSERT_TRUE(edit::apply(session_, files_, start));
     }
@@ -121,7 +121,7 @@ TEST_F(gamepad, triggers_zoom_and_the_left_stick_pans) {
 TEST_F(gamepad, sticks_fly_the_free_camera_by_time_and_not_by_frames) {
   const auto flown_in = [&](int count, double dt) {
     (void)edit::apply(session_, files_, edit::Set<&world::Settings::camera_mode>{world::CameraMode::fly});
-    (void)edit::apply(session_, files_, edit::SetFly{world::FlyCamera{{3, 20, 7}, 30, -5}});
+    (void)edit::apply(session_, files_, edit::SetFlyCamera{world::FlyCamera{{3, 20, 7}, 30, -5}});
     host_->build({GamepadAxes{.left_y = -0.7f}, platform::Tick{0}}, {session_, stats_, seconds_, false}, width_,
                  height_);
     for (int i = 0; i < count; ++i)

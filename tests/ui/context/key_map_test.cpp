@@ -9,7 +9,7 @@ namespace key_map_test {
 
 using platform::Key;
 
-std::vector<std::string> problems_of(const std::vector<exchange::KeyChoice>& choices) {
+std::vector<std::string> problems_of(const std::vector<exchange::KeyBinding>& choices) {
   std::vector<std::string> problems;
   (void)KeyMap::make(key_rows(), choices, problems);
   return problems;
@@ -33,7 +33,7 @@ TEST(key_map, names_of_actions_are_unique) {
 
 TEST(key_map, a_choice_replaces_both_keys_of_its_action_and_an_empty_one_takes_them) {
   std::vector<std::string> problems;
-  const std::vector<exchange::KeyChoice> choices{{"Redo", {"F4"}}, {"Delete", {}}};
+  const std::vector<exchange::KeyBinding> choices{{"Redo", {"F4"}}, {"Delete", {}}};
   const KeyMap keys = KeyMap::make(key_rows(), choices, problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(keys.shown("Redo"), "F4");
@@ -43,7 +43,7 @@ TEST(key_map, a_choice_replaces_both_keys_of_its_action_and_an_empty_one_takes_t
 
 TEST(key_map, what_cannot_be_done_is_told_and_leaves_the_action_its_own_keys) {
   std::vector<std::string> problems;
-  const std::vector<exchange::KeyChoice> choices{
+  const std::vector<exchange::KeyBinding> choices{
       {"Undooo", {"F4"}}, {"Save", {"Ctrl+Splat"}}, {"Undo", {"F3"}}, {"Redo", {"F3"}}};
   const KeyMap keys = KeyMap::make(key_rows(), choices, problems);
   ASSERT_EQ(problems.size(), 3u);

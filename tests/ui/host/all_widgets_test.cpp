@@ -46,9 +46,9 @@ class AllWidgetsTest : public AllPartsStage {
     show("notice");
     edit::notify(session_, edit::NoticeKind::info, "Saved.");
     frames(400);
-    set<&world::Aids::show_hints>(true);
+    set<&world::EditingAids::show_hints>(true);
     show("first steps");
-    set<&world::Aids::show_hints>(false);
+    set<&world::EditingAids::show_hints>(false);
     stats_.colour_high = 25;
     set<&world::LabView::colouring>(world::Colouring::speed);
     show("legend");
@@ -61,13 +61,14 @@ class AllWidgetsTest : public AllPartsStage {
     movie_ = MovieState{.frames = 321, .ticks = 1234, .done = 0.25};
     show("movie");
     movie_.reset();
-    set<&world::Aids::show_card>(true);
+    set<&world::EditingAids::show_card>(true);
     good(edit::RideStart{});
     edit::advance(session_, 120 * 120);
     EXPECT_TRUE(session_.game.result);
     show("score card");
     for (const int medal : {0, 2}) {
-      session_.game.result->verdict = edit::Verdict{.medal = medal, .reason = "Lateral: you have 1.40 g at 87.0 m."};
+      session_.game.result->verdict =
+          edit::ChallengeVerdict{.medal = medal, .reason = "Lateral: you have 1.40 g at 87.0 m."};
       show("score card with medal " + std::to_string(medal));
     }
     click("Score/Details");
@@ -75,7 +76,7 @@ class AllWidgetsTest : public AllPartsStage {
     click("Score/Details");
     key(platform::Key::escape);
     good(edit::RideStop{});
-    set<&world::Aids::show_card>(false);
+    set<&world::EditingAids::show_card>(false);
     frames(400);  // notices of the ride
   }
   // The lists of triangles of the last frame: of the windows that show, and of what is drawn behind and before them.

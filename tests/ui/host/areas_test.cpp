@@ -98,9 +98,9 @@ TEST_F(AreasTest, widgets_of_every_workspace_keep_apart_and_off_the_view_at_ever
       expect_orderly(where + " with a knot");
       select(world::Kind::section, 1);
       expect_orderly(where + " with a section");
-      set<&world::Aids::show_element>(true);
+      set<&world::EditingAids::show_element>(true);
       expect_orderly(where + " with an element");
-      set<&world::Aids::show_element>(false);
+      set<&world::EditingAids::show_element>(false);
       ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}).ok());
     }
   }
@@ -141,9 +141,9 @@ TEST_F(AreasTest, no_button_is_too_narrow_for_its_label) {
         select(world::Kind::section, number);
         check(where + "section " + std::to_string(number));
       }
-      set<&world::Aids::show_element>(true);
+      set<&world::EditingAids::show_element>(true);
       check(where + "an element");
-      set<&world::Aids::show_element>(false);
+      set<&world::EditingAids::show_element>(false);
     }
   }
   for (const char* path :
@@ -243,7 +243,7 @@ TEST_F(AreasTest, the_graph_marks_the_place_under_the_mouse_in_the_view_and_a_dr
 }
 
 TEST_F(AreasTest, pointing_at_the_track_shows_the_values_there) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::LoadTrack{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
   frames(3);
   go_to(Workspace::build);
   const std::string at_train = find("Forces/Height/value")->value;
@@ -343,7 +343,7 @@ TEST_F(AreasTest, the_ride_bar_plays_scrubs_and_chooses_the_camera) {
   click("Ride/Camera/Chase");
   EXPECT_EQ(session_.settings.camera_mode, world::CameraMode::chase);
   click("Ride/Record");
-  EXPECT_EQ(last_.movie, MovieWish::none) << "the wish is of one frame";
+  EXPECT_EQ(last_.movie, MovieRequest::none) << "the wish is of one frame";
 }
 
 TEST_F(AreasTest, a_fast_speed_in_any_unit_keeps_off_its_label_in_the_ride_bar) {

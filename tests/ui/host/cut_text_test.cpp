@@ -63,7 +63,7 @@ struct CutText : Stage {
     Stage::SetUp();
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
     good(edit::SetSectionTitle{{{world::Kind::section, 2}}, name});
-    good(edit::SetName{name});
+    good(edit::SetTrackName{name});
     good(edit::Save{(scratch.path() / (name + ".json")).string()});
     good(edit::SetStartSpeed{18});
     edit::notify(session_, edit::NoticeKind::warning, name);
@@ -71,7 +71,7 @@ struct CutText : Stage {
 };
 
 TEST_F(CutText, no_letter_is_cut_in_any_workspace) {
-  good(edit::Set<&world::Aids::show_hints>{true});
+  good(edit::Set<&world::EditingAids::show_hints>{true});
   for (const int width : {1024, 1280})
     for (const Workspace workspace : {Workspace::build, Workspace::ride, Workspace::laboratory, Workspace::all}) {
       good(edit::Set<&world::Panels::workspace>{workspace});

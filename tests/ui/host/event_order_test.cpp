@@ -36,7 +36,7 @@ struct EventOrderTest : testing::Test {
     EXPECT_TRUE(std::holds_alternative<platform::Tick>(taken.back())) << "time does not wait";
     return text_of(taken);
   }
-  EventOrder order;
+  EventQueue order;
 };
 
 TEST_F(EventOrderTest, a_key_waits_for_the_click_before_it) {

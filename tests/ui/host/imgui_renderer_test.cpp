@@ -60,7 +60,7 @@ TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
 
 // Eight plots of a whole ride have more vertices than indices of 16 bits can name.
 TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::LoadTrack{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::laboratory_height>{0.75f}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::page>{world::LabPage::riders}).ok());
@@ -83,7 +83,7 @@ TEST_F(ImGuiRendererTest, the_start_screen_shows_pictures_of_tracks) {
   ASSERT_FALSE(last_.wanted_pictures.empty());
   gfx::Image image{16, 9, {}};
   for (int i = 0; i < 16 * 9; ++i) image.rgba.insert(image.rgba.end(), {0xd0, 0x20, 0xa0, 0xff});
-  const gfx::Object texture = gfx::make_texture(gl_, image);
+  const gfx::GlObject texture = gfx::make_texture(gl_, image);
   pictures_[last_.wanted_pictures[0]] = {texture.id(), "Magenta", 100, ""};
   frames(2);
   const auto pixels = picture(0);

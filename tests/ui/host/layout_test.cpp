@@ -67,8 +67,8 @@ std::vector<view::Viewport> areas_of(const Layout& l) {
   return {l.menu, l.status, l.left, l.right, l.strip, l.palette, l.drawer, l.parameters, l.graph, l.ride, l.scene};
 }
 
-LayoutWish building() { return {.workspace = world::Workspace::build, .elements = 19, .label_width = 67.4f}; }
-float scene_share(int width, int height, float scale, LayoutWish wish) {
+LayoutOptions building() { return {.workspace = world::Workspace::build, .elements = 19, .label_width = 67.4f}; }
+float scene_share(int width, int height, float scale, LayoutOptions wish) {
   const view::Viewport scene = make_layout(width, height, scale, std::floor(23 * scale), wish).scene;
   return scene.width * scene.height / static_cast<float>(width * height);
 }
@@ -79,7 +79,7 @@ TEST(layout, the_areas_of_every_workspace_tile_the_window) {
       for (std::size_t w = 0; w < base::count_of<world::Workspace>(); ++w)
         for (const std::optional<bool> open : {std::optional<bool>(), std::optional(true), std::optional(false)})
           for (const float share : {0.0f, 0.05f, 0.6f}) {
-            LayoutWish wish = building();
+            LayoutOptions wish = building();
             wish.workspace = static_cast<world::Workspace>(w);
             wish.strip = {open.value_or(true), share};
             wish.parameters = wish.graph = open;
@@ -103,7 +103,7 @@ TEST(layout, the_areas_of_every_workspace_tile_the_window) {
 
 TEST(layout, the_view_keeps_62_percent_in_build_and_85_in_ride) {
   for (const int elements : {9, 19, 24}) {
-    LayoutWish build = building();
+    LayoutOptions build = building();
     build.elements = elements;
     EXPECT_GE(scene_share(1280, 720, 1, build), 0.62f);
     EXPECT_GE(scene_share(1280, 720, 1.5f, build), 0.62f);
@@ -120,7 +120,7 @@ TEST(layout, the_palette_has_room_for_every_button_with_or_without_parameters) {
     for (const float scale : {0.8f, 1.0f, 1.5f, 2.0f})
       for (const bool open : {true, false})
         for (const int elements : {9, 17, 20}) {
-          LayoutWish wish = building();
+          LayoutOptions wish = building();
           wish.elements = elements;
           wish.parameters = open;
           const Layout l = make_layout(width, height, scale, 23 * scale, wish);
@@ -140,7 +140,7 @@ TEST(layout, the_palette_has_labels_at_usual_sizes_and_the_view_its_share) {
       {1280, 720, 1.0f}, {1280, 720, 1.5f}, {1920, 1080, 1.0f}, {1920, 1080, 1.5f}, {1920, 1080, 2.0f}};
   for (const auto& [width, height, scale] : kWindows)
     for (const std::optional<bool> parameters : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
-      LayoutWish wish = building();
+      LayoutOptions wish = building();
       wish.label_width = 67.4f * scale;
       wish.parameters = parameters;
       const Layout l = make_layout(width, height, scale, std::floor(23 * scale), wish);
@@ -160,7 +160,7 @@ TEST(layout, parameters_and_graph_fold_where_there_is_little_room_unless_the_use
   EXPECT_GT(roomy.graph.height, 110);
   EXPECT_EQ(roomy.drawer.height, 0);
   EXPECT_EQ(roomy.graph.width, 1280);
-  LayoutWish wish = building();
+  LayoutOptions wish = building();
   const Layout little = make_layout(1250, 720, 1.5f, 34, wish);
   EXPECT_EQ(little.parameters.height, 0);
   EXPECT_EQ(little.graph.height, 34);
@@ -173,7 +173,7 @@ TEST(layout, parameters_and_graph_fold_where_there_is_little_room_unless_the_use
 }
 
 TEST(layout, the_graph_has_its_share_and_the_palette_does_not_move_with_it) {
-  LayoutWish wish = building();
+  LayoutOptions wish = building();
   const Layout before = make_layout(1280, 720, 1, 23, wish);
   wish.graph_share = 0.3f;
   const Layout after = make_layout(1280, 720, 1, 23, wish);

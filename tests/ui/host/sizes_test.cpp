@@ -63,7 +63,7 @@ class Sizes : public AllPartsStage {
     good(edit::Save{own.string()});
     const std::string list = (scratch_.path() / "list.xyz").string();
     ASSERT_TRUE(base::Files().write_atomic(list, "0 0 0\n40 0 0\n40 30 1\n0 30 1\n"));
-    frame({platform::Drop{list}});
+    frame({platform::FileDrop{list}});
     asked("Import points/Import");
     ASSERT_TRUE(base::Files().write_atomic(own, "theirs"));
     key(Key::s, {.ctrl = true});
@@ -88,7 +88,7 @@ class Sizes : public AllPartsStage {
     EXPECT_NE(find("Import/Cancel"), nullptr);
     look("job and movie");
     job_ = {}, movie_.reset();
-    set<&world::Aids::show_card>(true);
+    set<&world::EditingAids::show_card>(true);
     good(edit::RideStart{});
     edit::advance(session_, 120 * 120);
     ASSERT_TRUE(session_.game.result);

@@ -67,8 +67,8 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
   challenge.file.name = "Long", challenge.file.teaches = "How to build 30 m of track.";
   challenge.file.rules[0] = {{"length >= 30", "At least 30 m of track"}};
   set<&world::Panels::show_laboratory>(true);
-  set<&world::Aids::show_element>(true);
-  set<&world::Aids::show_card>(true);
+  set<&world::EditingAids::show_element>(true);
+  set<&world::EditingAids::show_card>(true);
   ASSERT_TRUE(edit::apply(session_, files_, edit::RideStart{}).ok());
   edit::advance(session_, 120 * 120);
   ASSERT_TRUE(session_.game.result);

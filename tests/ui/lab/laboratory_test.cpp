@@ -271,7 +271,7 @@ TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
 TEST_F(LaboratoryTest, a_row_of_the_joints_selects_its_knot_and_the_button_mends_it) {
   const edit::Target second{{world::Kind::knot, 2}};
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{second, world::JointKind::aligned}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLengths{second, 2.1f, 9.7f}).ok());  // unequal curvature
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetHandleLengths{second, 2.1f, 9.7f}).ok());  // unequal curvature
   open("Joints");
   click("Laboratory/Joint k2");
   ASSERT_EQ(all<edit::Select>().size(), 1u);
@@ -290,7 +290,7 @@ TEST_F(LaboratoryTest, joints_are_listed_by_their_jolts_though_the_train_stands)
   const auto lengths = [&](std::uint32_t knot, float in, float out) {
     const edit::Target target{{world::Kind::knot, knot}};
     ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{target, world::JointKind::aligned}).ok());
-    ASSERT_TRUE(edit::apply(session_, files_, edit::SetLengths{target, in, out}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::SetHandleLengths{target, in, out}).ok());
   };
   lengths(2, 2, 6);
   lengths(3, 9, 18);

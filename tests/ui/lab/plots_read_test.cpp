@@ -12,7 +12,7 @@
 
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
 #include "world/laboratory_settings.h"

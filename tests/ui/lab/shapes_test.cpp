@@ -1,5 +1,5 @@
-// Planes for pictures of space curves (ui/lab/page_parts.h).
-#include "ui/lab/page_parts.h"
+// Planes for pictures of space curves (ui/lab/page_widgets.h).
+#include "ui/lab/page_widgets.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

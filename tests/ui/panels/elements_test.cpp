@@ -66,7 +66,7 @@ TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
 
 TEST_F(PanelElementsTest, enter_without_a_closing_section_says_why) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {-17, 240, 7}}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::circuit>{1}).ok());
   frames(3);
   ASSERT_EQ(find("Elements/Place proposal"), nullptr);
   key(platform::Key::enter);

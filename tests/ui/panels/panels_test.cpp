@@ -93,7 +93,7 @@ TEST_F(PanelsTest, panels_are_in_the_order_of_what_was_chosen) {
     EXPECT_EQ(first(panel), 0) << panel << " of " << number;
     EXPECT_TRUE(first("Challenge") > 0) << panel;
   }
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_element>{true}));
   EXPECT_EQ(first("Elements"), 0);
   EXPECT_LT(first("Elements"), first("Section"));
   ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}));

@@ -52,7 +52,7 @@ TEST_F(PanelRideTest, without_a_train_nothing_of_the_ride_has_a_number) {
 }
 
 TEST_F(PanelRideTest, a_lap_that_is_not_completed_has_no_time) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::LoadTrack{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
   ASSERT_TRUE(reach("Goal"));
   click("Goal");
   frames(2);

@@ -46,7 +46,7 @@ struct PlotTest : Stage {
       ImGui::NewFrame();
       list_.clear();
       Entry entry;
-      Gesture gesture;
+      NumberDrag gesture;
       HoverTime rest;
       const std::function<void()> begins = [] {};
       const std::function<void(const std::string&)> warns = [](const std::string&) {};
@@ -187,7 +187,7 @@ TEST_F(PlotTest, levels_are_dashed_to_the_right_edge_and_spots_are_dots_with_the
   const Series series{"", x, y, kRed};
   Plot p = with(std::span(&series, 1));
   for (const double at : {-4.9, 1.0, 4.95}) {
-    const Level level{"limit", at, kBlue};
+    const LevelLine level{"limit", at, kBlue};
     p.levels = std::span(&level, 1);
     draw(p);
     const Box box = box_of(ink(kBlue));

@@ -48,7 +48,7 @@ TEST_F(DialogsTest, an_import_has_no_file_and_closing_asks) {
   frames(2);
   EXPECT_EQ(find("Status/Unsaved")->value, "saved");
   ASSERT_TRUE(edit::apply(session_, files_, edit::Save{rows}));
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{rows}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::LoadTrack{rows}));
   frames(2);
   EXPECT_EQ(find("Status/Unsaved")->value, "not saved yet");
   EXPECT_FALSE(frame({platform::CloseRequest{}}).quit);
@@ -137,7 +137,7 @@ TEST_F(DialogsTest, recovery_is_offered_once_and_its_answer_goes_out) {
   key(Key::escape);
   frames(2);
   ASSERT_NE(find("Recovery/Later"), nullptr) << "no key answers by accident";
-  std::optional<Recovery> answer;
+  std::optional<RecoveryAnswer> answer;
   hover(middle(*find("Recovery/Later")));
   press();
   for (int i = 0; i < 3; ++i)
@@ -145,7 +145,7 @@ TEST_F(DialogsTest, recovery_is_offered_once_and_its_answer_goes_out) {
         out.recovery)
       answer = out.recovery;
   ASSERT_TRUE(answer.has_value());
-  EXPECT_EQ(*answer, Recovery::later);
+  EXPECT_EQ(*answer, RecoveryAnswer::later);
   frames(3);
   EXPECT_EQ(find("Recovery/Later"), nullptr);
 }
@@ -279,7 +279,7 @@ TEST_F(DialogsTest, the_settings_say_what_to_keep) {
     frames(2);
     return out.settings.has_value();
   };
-  using Keys = std::vector<exchange::KeyChoice>;
+  using Keys = std::vector<exchange::KeyBinding>;
   ASSERT_TRUE(press("Save", Key::u, {.ctrl = true}));
   EXPECT_EQ(user_->settings.keys, (Keys{{"Save", {"Ctrl+U"}}}));
   EXPECT_EQ(find("Settings/Keys/Save")->value, "Ctrl+U");
@@ -309,12 +309,12 @@ struct ImportTest : DialogsTest {
   }
   void drop() {
     commands_.clear();
-    frame({platform::Drop{list}});
+    frame({platform::FileDrop{list}});
     frames(2);
   }
-  const edit::Load* load() const {
+  const edit::LoadTrack* load() const {
     for (const edit::Command& command : commands_)
-      if (const auto* const load = command.as<edit::Load>()) return load;
+      if (const auto* const load = command.as<edit::LoadTrack>()) return load;
     return nullptr;
   }
 };
@@ -334,7 +334,7 @@ TEST_F(ImportTest, points_are_opened_as_proposed_by_enter_and_not_at_all_by_esca
   drop();
   key(Key::enter);
   ASSERT_NE(load(), nullptr);
-  EXPECT_EQ(load()->import, (exchange::Import{.up = world::Axis::z, .scale = 1}));
+  EXPECT_EQ(load()->import, (exchange::ImportOptions{.up = world::Axis::z, .scale = 1}));
   EXPECT_TRUE(session_.document.track.closed);
   frames(2);
   EXPECT_EQ(find("Import points/Import"), nullptr);
@@ -365,7 +365,7 @@ TEST_F(ImportTest, tab_leads_through_the_numbers) {
   ASSERT_EQ(load(), nullptr) << "that Enter was the field's";
   key(Key::enter);
   ASSERT_NE(load(), nullptr);
-  EXPECT_EQ(load()->import, (exchange::Import{.up = world::Axis::z, .scale = 0.5, .smooth = 0.25}));
+  EXPECT_EQ(load()->import, (exchange::ImportOptions{.up = world::Axis::z, .scale = 0.5, .smooth = 0.25}));
 }
 
 TEST_F(ImportTest, far_rows_are_offered_at_the_origin_alone) {
@@ -382,7 +382,7 @@ TEST_F(ImportTest, far_rows_are_offered_at_the_origin_alone) {
   EXPECT_EQ(find("Import rows/Up axis"), nullptr);
   click("Import rows/Import");
   ASSERT_NE(load(), nullptr);
-  EXPECT_EQ(load()->import, exchange::Import{.origin = true});
+  EXPECT_EQ(load()->import, exchange::ImportOptions{.origin = true});
 }
 
 TEST_F(ImportTest, unsaved_changes_are_asked_about_first) {

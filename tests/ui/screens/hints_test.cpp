@@ -17,7 +17,7 @@ struct HintsTest : Stage {};
 TEST_F(HintsTest, the_first_steps_show_where_they_leave_half_of_the_view_and_not_on_a_phone) {
   for (const world::Workspace workspace : {world::Workspace::build, world::Workspace::ride}) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{workspace}));
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_hints>{true}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_hints>{true}));
     const struct {
       int width, height;
       float density;
@@ -35,7 +35,7 @@ TEST_F(HintsTest, the_first_steps_show_where_they_leave_half_of_the_view_and_not
 
 TEST_F(HintsTest, the_first_steps_are_those_of_the_workspace) {
   using world::Workspace;
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_hints>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_hints>{true}));
   resize(1920, 1080);
   const std::pair<std::string, std::vector<Workspace>> kSteps[] = {
       {"Palette", {Workspace::build}},

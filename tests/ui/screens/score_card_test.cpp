@@ -23,7 +23,7 @@ namespace score_card_test {
 class ScoreCardTest : public Stage {
  protected:
   void end_a_ride() {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_card>{true}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_card>{true}));
     ASSERT_TRUE(edit::apply(session_, files_, edit::RideStart{}));
     edit::advance(session_, 120 * 120);
     ASSERT_TRUE(session_.game.result);
@@ -161,7 +161,7 @@ TEST_F(ScoreCardTest, the_next_challenge_is_offered_once_this_one_is_passed) {
   const std::filesystem::path folder = std::filesystem::path(COASTER_SOURCE_DIR) / "challenges";
   ASSERT_TRUE(edit::apply(session_, files_, edit::StartChallenge{(folder / "01_first_hill.json").string()}));
   end_a_ride();
-  session_.game.result->verdict = edit::Verdict{};  // nobody judges here
+  session_.game.result->verdict = edit::ChallengeVerdict{};  // nobody judges here
   frames(2);
   EXPECT_EQ(find("Score/Next challenge"), nullptr);
   session_.game.result->verdict->medal = 2;

@@ -87,7 +87,7 @@ TEST_F(StartScreenTest, arrows_and_Enter_choose) {
   key(Key::escape);
   frames(2);
   choose({Key::right});
-  ASSERT_EQ(all<edit::Load>().size(), 1u) << "a sample, beside the choices";
+  ASSERT_EQ(all<edit::LoadTrack>().size(), 1u) << "a sample, beside the choices";
   EXPECT_EQ(find("Start/New track"), nullptr);
 }
 

@@ -119,7 +119,7 @@ TEST_F(CursorPlacesTest, a_click_beside_the_preview_of_the_first_element_places_
   frames(3);
   click_at(empty_ground());
   EXPECT_TRUE(session_.document.track.knots.empty());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{false}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_element>{false}));
   frames(30);  // no double click
   click_at(empty_ground());
   EXPECT_EQ(session_.document.track.knots.size(), 1u);

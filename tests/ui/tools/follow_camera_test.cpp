@@ -60,7 +60,7 @@ TEST_F(FollowCameraTest, goes_to_an_open_end_out_of_view_in_small_steps_and_rest
 TEST_F(FollowCameraTest, shows_a_preview_and_leaves_the_camera_to_the_user) {
   follow(true);
   ASSERT_TRUE(edit::apply(session_, files_, edit::ChooseElement{world::usual_element(world::ElementKind::straight)}));
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_element>{true}));
   frames(120);
   commands_.clear();
   append({200, 6, 3});
@@ -148,7 +148,7 @@ TEST_F(FollowCameraTest, does_not_follow_a_drag_that_is_cancelled) {
 TEST_F(FollowCameraTest, keeps_the_end_and_what_is_framed_beside_the_first_steps) {
   follow(true);
   resize(1920, 1080);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_hints>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_hints>{true}));
   frames(3);
   const Widget* const card = find("Hints/Got it");
   ASSERT_NE(card, nullptr);
@@ -175,7 +175,7 @@ TEST_F(FollowCameraTest, shows_the_section_just_placed_and_leaves_it_out_of_sigh
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {150, 2, 0}, .distance = 60})));
   frames(3);
   commands_.clear();
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::show_element>{true}));
   frames(60);
   EXPECT_FALSE(shows({0, 2, 0})) << "the user has turned to its end, where the preview is";
 }
@@ -196,7 +196,7 @@ TEST_F(FollowCameraTest, shows_the_closing_section_and_the_completed_circuit) {
   follow(true);
   frames(3);
   ASSERT_FALSE(shows({0, 2, 0}));
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::circuit>{1}));
   frames(120);
   EXPECT_TRUE(shows({0, 2, 0})) << "it ends there";
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {0, 2, 0}, .distance = 40})));

@@ -141,7 +141,7 @@ TEST_F(ViewportToolTest, in_the_front_view_knots_are_moved_and_appended_in_its_p
   EXPECT_EQ(knot(2).position.z, start.z);
   EXPECT_GT(knot(2).position.x, start.x + 1);
   EXPECT_GT(knot(2).position.y, start.y + 1);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::append_mode>{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::append_mode>{true}));
   frames(2);
   const glm::vec2 pixel = pixel_of(3) + glm::vec2(70, -90);
   click_at(pixel);

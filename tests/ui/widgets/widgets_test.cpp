@@ -78,7 +78,7 @@ TEST_F(WidgetsTest, a_very_long_text_is_shortened_in_little_time) {
 }
 
 TEST_F(WidgetsTest, the_tooltip_of_a_text_that_is_cut_has_all_of_it) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::SetName{"Oblivion of the Northern Mountains and Lakes"}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetTrackName{"Oblivion of the Northern Mountains and Lakes"}).ok());
   ASSERT_TRUE(reach("Track/Name"));
   hover(middle(*find("Track/Name")));
   frames(60);

@@ -1,11 +1,11 @@
-#include "exchange/own/json_values.h"
+#include "exchange/own/json_output.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 namespace coaster::exchange {
-namespace json_values_test {
+namespace json_output_test {
 
 TEST(json_values, members_of_every_kind_keep_their_order) {
   EXPECT_EQ(json_members({{"z", 0.1}, {"a", std::int64_t{-7}}, {"b", true}, {"c", "a\"\n"}, {"d", nullptr}}),
@@ -25,5 +25,5 @@ TEST(json_values, of_members_with_one_name_the_last_value_counts) {
   EXPECT_EQ(json_members({{"a", 1.5}, {"b", false}, {"a", nullptr}}), "{\n  \"a\": null,\n  \"b\": false\n}\n");
 }
 
-}  // namespace json_values_test
+}  // namespace json_output_test
 }  // namespace coaster::exchange

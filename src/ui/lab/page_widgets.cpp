@@ -1,5 +1,5 @@
 // The probe, and the layout of a page.
-#include "ui/lab/page_parts.h"
+#include "ui/lab/page_widgets.h"
 
 #include <imgui.h>
 
@@ -37,7 +37,7 @@ glm::dvec3 longest_direction(std::span<const glm::dvec3> points) {
 world::Entity segment_for(const edit::Session& session) {
   const world::Entity selected = session.settings.selected;
   if (session.document.entities.find<world::Knot>(selected)) {
-    const world::Neighbours at = world::neighbours(session.document, selected);
+    const world::KnotSegments at = world::neighbours(session.document, selected);
     return at.after.valid() ? at.after : at.before;
   }
   const world::TrainMotion* const cart = session.motion.carts.find(selected);
@@ -97,7 +97,7 @@ void plot_over_t(Ui& ui, const Probe& probe, std::string_view label, Plot pictur
   if (const auto drag = plot(ui, label, picture, tooltip)) move_probe(ui, probe, drag->x);
 }
 
-Page::Page(const Ui& ui, float side) : scale_(ui.scale) {
+PageLayout::PageLayout(const Ui& ui, float side) : scale_(ui.scale) {
   constexpr float kLeast = 200, kGap = 14, kRoomy = 210;  // design px
   const float room = ImGui::GetContentRegionAvail().x;
   stacked_ = room < (side + kLeast) * scale_;
@@ -110,7 +110,7 @@ Page::Page(const Ui& ui, float side) : scale_(ui.scale) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(std::floor(6 * scale_), std::floor(2 * scale_)));
 }
 
-void Page::end_side() {
+void PageLayout::end_side() {
   if (in_side_ && compact_) {
     ImGui::PopStyleVar(2);
     ImGui::PopFont();
@@ -118,7 +118,7 @@ void Page::end_side() {
   in_side_ = false;
 }
 
-float Page::pictures() {
+float PageLayout::pictures() {
   constexpr float kStacked = 150;  // design px
   end_side();
   if (stacked_) return std::floor(kStacked * scale_);
@@ -128,7 +128,7 @@ float Page::pictures() {
   return ImGui::GetContentRegionAvail().y;
 }
 
-Page::~Page() {
+PageLayout::~PageLayout() {
   end_side();
   ImGui::EndChild();
 }
@@ -200,7 +200,7 @@ void choose_side(Ui& ui, bool& second, const RadioLabel& off, const RadioLabel& 
   if (radio(ui, on.label, second, on.tooltip)) second = true;
 }
 
-void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& second) {
+void two_pictures(Ui& ui, PageLayout& page, const Picture& first, const Picture& second) {
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const bool beside = room > 380 * ui.scale;
   const float width = beside ? std::floor((room - gap) / 2) : room;

@@ -38,7 +38,7 @@ struct DrawingPlane {
 DrawingPlane sheet_of(std::span<const glm::dvec3> points);
 
 // Points as coordinates of a plot's series.
-struct Trace {
+struct PlotPoints {
   std::vector<double> x, y;
   void add(glm::dvec2 p) {
     x.push_back(p.x);
@@ -66,12 +66,12 @@ void plot_over_t(Ui& ui, const Probe& probe, std::string_view label, Plot pictur
 // A page in two parts: controls and numbers on the left, `side` design px wide, and pictures on the right; in a narrow
 // strip one below the other, in a low strip with small controls. Construct it before the first part and call pictures()
 // before the second.
-class Page {
+class PageLayout {
  public:
-  Page(const Ui& ui, float side);
-  ~Page();
-  Page(const Page&) = delete;
-  Page& operator=(const Page&) = delete;
+  PageLayout(const Ui& ui, float side);
+  ~PageLayout();
+  PageLayout(const PageLayout&) = delete;
+  PageLayout& operator=(const PageLayout&) = delete;
   // Begins the second part, which scrolls, and returns the height of its pictures, px.
   float pictures();
   // True if the parts are one below the other.
@@ -115,7 +115,7 @@ void choose_side(Ui& ui, bool& second, const RadioLabel& off, const RadioLabel& 
 
 // Draws two pictures side by side, or one below the other in a narrow area. Each function gets width and height, px.
 using Picture = std::function<void(float width, float height)>;
-void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& second);
+void two_pictures(Ui& ui, PageLayout& page, const Picture& first, const Picture& second);
 
 // Colours of the laboratory, the same in the view and in the plots.
 inline constexpr std::uint32_t kCurveColour = 0xFFFFFF, kPolygonColour = 0xF2B84B, kConstructionColour = 0x7FD1B9,
@@ -137,7 +137,7 @@ struct JointList {
 };
 
 // Curvature and torsion of one segment by arc length.
-struct BendStudy {
+struct CurvatureStudy {
   std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN at a cusp, or without a Frenet frame)
   std::vector<double> flips;                  // m, where the normal flips
 };
@@ -168,7 +168,7 @@ struct TrackLengths {
 };
 
 // The ends of the axes of a force section's plot.
-struct ForceEnds {
+struct ForcePlotRanges {
   double from = 0, to = 1;             // m
   double low = 0, high = 1;            // of the channel
   double felt_low = 0, felt_high = 1;  // g at the right edge
@@ -184,7 +184,7 @@ struct ForceKeyEditing {
   bool gesture = false;
   bool undone = false;                       // the drag was undone, and the mouse button is still down
   world::ForceKey from;                      // the key at the start of the drag
-  ForceEnds axes;                            // during a drag
+  ForcePlotRanges axes;                      // during a drag
   std::vector<double> place, asked, actual;  // data of the plot
 };
 
@@ -210,7 +210,7 @@ struct LabCache {
   base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, int, double>,
                     std::array<sim::Erratum, sim::kErrata.size()>>
       errata;
-  base::CachedValue<std::uint64_t, BendStudy> bend;  // by the segment's build
+  base::CachedValue<std::uint64_t, CurvatureStudy> bend;  // by the segment's build
 
   // Keyed by the serials of ride and envelope, the first and the last car, and whether it is over time.
   base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
@@ -219,8 +219,8 @@ struct LabCache {
   std::array<bool, 4> graph_hidden{};  // hidden curves of the force graph
   ForceKeyEditing keys;
   int red_chosen = -1;
-  std::optional<sim::Advice> advice;  // for the selected overload
-  bool advised = false;               // true once it was requested
+  std::optional<sim::KnotMoveAdvice> advice;  // for the selected overload
+  bool advised = false;                       // true once it was requested
 };
 
 }  // namespace coaster::ui
