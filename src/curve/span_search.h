@@ -22,12 +22,16 @@ struct SpanSteps {
 template <class Holds>
 std::size_t longest_span(std::size_t least, std::size_t most, std::size_t guess, SpanSteps steps, Holds&& holds) {
   std::size_t good = least, bad = most + 1;
-  const auto attempt = [&](std::size_t length) { (holds(length) ? good : bad) = length; };
   for (std::size_t length = std::max(guess, least + 1); good < most && bad > most;
-       length += std::max<std::size_t>(1, length / steps.growth + steps.more))
-    attempt(std::min(length, most));
-  while (steps.by_quarters && good == least && bad > good + 1) attempt(std::max(least + 1, bad - 1 - bad / 4));
-  while (bad > good + 1 + (steps.coarseness > 0 ? good / steps.coarseness : 0)) attempt(good + (bad - good) / 2);
+       length += std::max<std::size_t>(1, length / steps.growth + steps.more)) {
+    const std::size_t tried = std::min(length, most);
+    (holds(tried) ? good : bad) = tried;
+  }
+  while (bad > good + 1 + (steps.coarseness > 0 ? good / steps.coarseness : 0)) {
+    const bool first = steps.by_quarters && good == least;
+    const std::size_t tried = first ? std::max(least + 1, bad - 1 - bad / 4) : good + (bad - good) / 2;
+    (holds(tried) ? good : bad) = tried;
+  }
   return good;
 }
 

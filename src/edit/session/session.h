@@ -118,7 +118,7 @@ struct Session {
   std::uint64_t tick = 0;     // ticks since the program's start
   sim::DerivedTrack derived;  // derived from document and settings
   EvaluationWork evaluated;
-  world::HeapValue<FindingsCache> findings;  // found from all of these by a Finder
+  world::HeapValue<FindingsCache> findings;  // found from all of these by SessionFindings
   ChallengeState game;
   MeasurementState measuring;
   Notices notices;

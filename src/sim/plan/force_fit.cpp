@@ -271,7 +271,7 @@ void even_out(const ForceTask& task, const ForcePath& path, ForceFitAttempt& bes
   constexpr std::size_t kEased = 200;  // points of the longest path that is eased
   std::size_t budget = path.points.size() <= kEased ? kEasing : 0;
   curve::remove_spans(
-      best, kRounds, [&](std::vector<std::size_t> ends) { return attempt(task, path, ends); },
+      best, kRounds, [&](const std::vector<std::size_t>& ends) { return attempt(task, path, ends); },
       [&](ForceFitAttempt& least) {
         ease(task, path, least, budget);
         return least.holds;
