@@ -32,17 +32,27 @@ void wait_microseconds(unsigned microseconds) {
   ::nanosleep(&time, nullptr);
 }
 
-// Runs `work` in a child process and kills it after the given time.
+// Runs `work` in a child process and kills it that long after it was done for the first time: a new process may take
+// longer to get there than to be done again.
 template <class Work>
 void killed_after(unsigned microseconds, Work work) {
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);  // kill(-1) would end every process
   if (child == 0) {
-    for (int serial = 1;; serial = serial % 100 + 1) work(serial);
+    work(1);
+    (void)!::write(ready[1], "", 1);
+    for (int serial = 2;; serial = serial % 100 + 1) work(serial);
   }
+  ::close(ready[1]);
+  char byte = 0;
+  const ssize_t worked = ::read(ready[0], &byte, 1);
+  ::close(ready[0]);
   wait_microseconds(microseconds);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
+  ASSERT_EQ(worked, 1) << "the process ended by itself";
 }
 
 // Returns how long `work` takes on this machine now, in microseconds: kills must happen before, in and after it.
