@@ -185,7 +185,7 @@ class WebSurface final : public Surface {
   }
   void end_sound() override {
     // clang-format off
-    if (window_) EM_ASM({ for (const device of GlObject.values(AL.contexts)) device.audioCtx.close(); });
+    if (window_) EM_ASM({ for (const device of Object.values(AL.contexts)) device.audioCtx.close(); });
     // clang-format on
   }
   void take_text(bool wanted) override {
