@@ -28,7 +28,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   }
   picture.name = session.document.name;
   picture.length = session.derived.length;
-  const auto renderer = scenes.sibling(kSamples);  // a separate one: its buffers follow one Derived
+  const auto renderer = scenes.sibling(kSamples);  // a separate one: its buffers follow one DerivedTrack
   const view::Viewport viewport{0, 0, static_cast<float>(width), static_cast<float>(height)};
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);

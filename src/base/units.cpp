@@ -18,7 +18,7 @@ namespace {
 constexpr double kFoot = 0.3048, kInch = 0.0254, kMilePerHour = 0.44704;  // exact by definition; m, m, m/s
 
 struct UnitRow {
-  std::array<ShownUnit, 3> in;  // by Units; the first one is the metric unit itself
+  std::array<ShownUnit, 3> in;  // by UnitSystem; the first one is the metric unit itself
 };
 constexpr UnitRow kRows[] = {
     {{{{"m"}, {"m"}, {"ft", 1 / kFoot}}}},

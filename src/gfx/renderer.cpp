@@ -1,5 +1,5 @@
-// The list of passes of a picture, from far to near. TrackCache and Instances hold the geometry; shaders/ and the table
-// of styles (gfx/scenery) define the look.
+// The list of passes of a picture, from far to near. TrackCache and CarInstances hold the geometry; shaders/ and the
+// table of styles (gfx/scenery) define the look.
 #include "gfx/renderer.h"
 
 #include <algorithm>

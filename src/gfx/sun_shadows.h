@@ -33,7 +33,7 @@ struct LightBox {
 // The box of the track, of everything within sim::kSupportReach of it, and from there to the ground.
 class TrackBox {
  public:
-  // Updates the box from the same Derived as before and returns it. Reads only the segments that
+  // Updates the box from the same DerivedTrack as before and returns it. Reads only the segments that
   // DerivedTrack::changes_since() lists, and the rest in runs of neighbours.
   const LightBox& update(const SunAxes& axes, const sim::DerivedTrack& derived);
   std::size_t looked_at() const { return looked_at_; }  // segments read in the last update

@@ -70,9 +70,9 @@ class TrackCache {
     int looked_at = 0;                // segments compared with their slots
     double cpu_seconds = 0;           // time to prepare it, outside GL; 0 without a clock
   };
-  // Updates the slots from the same Derived as before. Reads only the segments that DerivedTrack::changes_since() lists
-  // and those whose level changes; all of them after a change of the track's order, of equipment or of the evaluation
-  // of polylines.
+  // Updates the slots from the same DerivedTrack as before. Reads only the segments that DerivedTrack::changes_since()
+  // lists and those whose level changes; all of them after a change of the track's order, of equipment or of the
+  // evaluation of polylines.
   Synced sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.

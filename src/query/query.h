@@ -30,7 +30,7 @@ struct NoValue {
 };
 using Value = std::variant<double, std::string, Ranked, glm::dvec3, NoValue>;
 
-std::string to_text(const Value& value);  // "none" for None
+std::string to_text(const Value& value);  // "none" for NoValue
 inline bool is_none(const Value& value) { return std::holds_alternative<NoValue>(value); }
 
 // What the values of a query are. parameter: the argument ends in a parameter of an element, so they are numbers or the

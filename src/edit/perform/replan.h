@@ -73,7 +73,7 @@ bool follow_speeds(Session& session, Change& change);
 // way most similar to the former one; if that fails outside a gesture, as the best of all closing sections. It keeps
 // the end exactly, and both joints are G2 with continuous spin. The speed is the former one, adjusted by the height
 // that its start has gained or lost since, if no equipment lies between. Refused with the reason if there is no such
-// way, and until it is found if the change has a Search that leaves it to another thread.
+// way, and until it is found if the change has a ClosingSearch that leaves it to another thread.
 base::Status keep_closed(Session& session, Change& change, const world::Document& former, world::Document& next);
 
 // Starts track with that first knot at the open end: the end keeps its position, direction and roll, and its outgoing

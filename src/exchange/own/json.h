@@ -89,7 +89,7 @@ class JsonFieldReader {
     if (found) value = *found;
     return found || reject(member, base::alternatives_of<E>(quote));
   }
-  // Calls read(Fields& entry, index) for each object of a list, until one returns false; then returns false.
+  // Calls read(JsonFieldReader& entry, index) for each object of a list, until one returns false; then returns false.
   template <class Read>
   bool each(std::string_view member, std::size_t most, Read read) {
     const Json* const entries = list(member, most);

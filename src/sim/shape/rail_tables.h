@@ -52,7 +52,7 @@ void fill_cells(const SegmentShape& shape, SegmentTable& table);
 
 class RailTables {
  public:
-  // Refills the parts that changed since the last update from the same Derived: about 1 us per entry of a changed
+  // Refills the parts that changed since the last update from the same DerivedTrack: about 1 us per entry of a changed
   // segment.
   void update(const DerivedTrack& derived, double heartline);
 

@@ -36,9 +36,9 @@ class Conflicts {
   // Segments that a picture checks at most; about 5 ms.
   static constexpr std::size_t kSlice = 1000;
 
-  // Updates the conflicts from the same Derived as before and returns all of them in track order. If nothing changed,
-  // it costs a comparison of the orders; else a few microseconds for each changed segment and those within kSameStretch
-  // of it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
+  // Updates the conflicts from the same DerivedTrack as before and returns all of them in track order. If nothing
+  // changed, it costs a comparison of the orders; else a few microseconds for each changed segment and those within
+  // kSameStretch of it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
   const std::vector<Conflict>& update(const DerivedTrack& derived) { return update(derived, derived.order.size()); }
   // The same, but checks at most `most` segments: returns the conflicts found so far, and later calls find the others.
   const std::vector<Conflict>& update(const DerivedTrack& derived, std::size_t most);

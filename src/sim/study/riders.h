@@ -123,7 +123,7 @@ SeatCurves curves_by_place(std::span<const Rider> riders);
 SeatCurves curves_by_time(std::span<const Rider> riders);
 
 // Returns the car's value when it first reaches a distance along the track (m), linear between entries but for the
-// speed (Passings); nothing if it does not reach it.
+// speed (PassingLookup); nothing if it does not reach it.
 std::optional<double> value_at(const Rider& rider, double distance, RideValue value);
 
 // An extreme value, its time and its position.
