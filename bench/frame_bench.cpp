@@ -72,7 +72,7 @@ void frame(benchmark::State& state, int segments, bool drag) {
   auto program = open_track(segments == kSegments ? ring(segments) : bench::circuit(segments), {640, 360});
   if (!program) return state.SkipWithError("no off-screen OpenGL");
   const world::Entity knot = program->session.document.track.knots[2500];
-  const world::Name name = world::name_of(program->session.document, knot);
+  const world::EntityName name = world::name_of(program->session.document, knot);
   const glm::vec3 at = world::knot(program->session.document, knot).position;
   if (drag) (void)app::apply(*program, edit::BeginGesture{});
   std::vector<unsigned char> bytes(static_cast<std::size_t>(drag ? 2 : segments) * 65 * sizeof(float) * 6);

@@ -54,7 +54,7 @@ Figures measure(const std::string& text) {
   sim::RailTables rails;
   part(figures, tables, [&] { rails.update(session.derived, world::riders_height(session.document)); });
   part(figures, command, [&] {
-    (void)edit::apply(session, files, edit::MoveKnot{{{world::Kind::knot, 500}}, {1, 2, 3}});
+    (void)edit::apply(session, files, edit::MoveKnot{{{world::EntityKind::knot, 500}}, {1, 2, 3}});
   });
   figures.undo_kb_few = static_cast<double>(session.history.bytes) / 1e3;
   (void)edit::apply(session, files, edit::Reverse{});

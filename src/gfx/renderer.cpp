@@ -36,8 +36,8 @@ struct Renderer::Parts {
 // Updates the buffers from the scene: writes only what has changed, except for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   choose_levels(scene, track);
-  const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
-  const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock, track.near());
+  const TrackCache::UploadStats synced = track.sync(scene.derived, scene.clock);
+  const SupportCache::UploadStats held = track.supports().sync(scene.supports, scene.clock, track.near());
   stats.uploads = synced.uploads;
   stats.support_uploads = held.uploads;
   stats.prepare_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);

@@ -8,9 +8,9 @@
 
 namespace coaster::gfx {
 
-SupportCache::Synced SupportCache::sync(const sim::Supports* supports, const sim::Clock& clock,
-                                        const std::vector<std::uint8_t>* near) {
-  Synced synced;
+SupportCache::UploadStats SupportCache::sync(const sim::Supports* supports, const sim::Clock& clock,
+                                             const std::vector<std::uint8_t>* near) {
+  UploadStats synced;
   ++stamp_;
   Stopwatch watch{clock};
   if (supports) {
@@ -54,7 +54,7 @@ static_assert(kControlBytes == 48, "so are control points");
 TrackCache::TrackCache(const Gl& gl)
     : gl_(&gl), lines_(gl), controls_(gl), swept_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
 
-TrackCache::Synced TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
+TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
   Stopwatch watch{clock};

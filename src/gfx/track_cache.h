@@ -25,13 +25,14 @@ class SupportCache {
  public:
   explicit SupportCache(const Gl& gl) : mesh_(gl) {}
 
-  struct Synced {
+  struct UploadStats {
     int uploads = 0;         // segments whose supports were written
     double cpu_seconds = 0;  // time to prepare them, outside GL; 0 without a clock
   };
   // null: draws none. If nothing changed, costs one comparison for each segment that may have supports.
   // `near`: by the index of a segment's entity, whether its supports are held; null: all are.
-  Synced sync(const sim::Supports* supports, const sim::Clock& clock, const std::vector<std::uint8_t>* near = nullptr);
+  UploadStats sync(const sim::Supports* supports, const sim::Clock& clock,
+                   const std::vector<std::uint8_t>* near = nullptr);
 
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }
@@ -63,7 +64,7 @@ class TrackCache {
  public:
   explicit TrackCache(const Gl& gl);
 
-  struct Synced {
+  struct UploadStats {
     int uploads = 0;                  // segments with anything written
     std::int64_t bytes = 0;           // written to the track's buffers
     std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
@@ -73,7 +74,7 @@ class TrackCache {
   // Updates the slots from the same DerivedTrack as before. Reads only the segments that DerivedTrack::changes_since()
   // lists and those whose level changes; all of them after a change of the track's order, of equipment or of the
   // evaluation of polylines.
-  Synced sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
+  UploadStats sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.
   void look_from(const LevelView& sight, float ties) { sight_ = sight, ties_ = ties; }
@@ -167,7 +168,7 @@ class TrackCache {
   std::vector<Level> levels_held_;  // by the entity's index: the level in the slot
   std::size_t live_ = 0;            // slots with a segment
   std::uint64_t stamp_ = 0;         // of the current sync
-  Synced synced_;                   // of the current sync
+  UploadStats synced_;              // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
   // Values of the last sync.
   std::uint64_t last_build_ = 0;

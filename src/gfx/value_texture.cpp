@@ -16,8 +16,8 @@ void ValueTexture::fit(int rows) {
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kWidth, rows_, 0, GL_RED, GL_FLOAT, held_.data());
 }
 
-ValueTexture::Synced ValueTexture::sync(const sim::DerivedTrack& derived, const sim::TrackValues& values) {
-  Synced synced;
+ValueTexture::UploadStats ValueTexture::sync(const sim::DerivedTrack& derived, const sim::TrackValues& values) {
+  UploadStats synced;
   if (values.values.empty()) return synced;
   std::uint32_t last = 0;
   for (const world::Entity segment : derived.order) last = std::max(last, segment.index);

@@ -15,12 +15,12 @@ class ValueTexture {
   static constexpr int kSegmentsInRow = 32, kWidth = kSegmentsInRow * sim::kValuesPerSegment;
   explicit ValueTexture(const Gl& gl) : gl_(&gl) {}
 
-  struct Synced {
+  struct UploadStats {
     int recolours = 0;       // segments whose values changed
     std::int64_t bytes = 0;  // written
   };
   // Writes the rows that changed. Equal values cost a comparison of 128 bytes per segment; plain values cost nothing.
-  Synced sync(const sim::DerivedTrack& derived, const sim::TrackValues& values);
+  UploadStats sync(const sim::DerivedTrack& derived, const sim::TrackValues& values);
   // Binds to texture unit 0; binds a texture of one row if nothing was ever written.
   void bind();
 

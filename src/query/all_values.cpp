@@ -28,13 +28,13 @@ std::vector<std::string> arguments_of(Argument argument, const world::Document& 
   std::vector<std::string> names;
   if (part.words) names = part.words();
   for (int i = 1; i <= part.most; ++i) names.push_back(std::to_string(i));
-  const auto add = [&](world::Kind kind, const std::vector<world::Entity>& entities) {
+  const auto add = [&](world::EntityKind kind, const std::vector<world::Entity>& entities) {
     if (part.kind != kind) return;
     for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
   };
-  add(world::Kind::knot, document.track.knots);
-  add(world::Kind::segment, document.track.segments);
-  add(world::Kind::cart, document.entities.pool<world::Train>().entities());
+  add(world::EntityKind::knot, document.track.knots);
+  add(world::EntityKind::segment, document.track.segments);
+  add(world::EntityKind::cart, document.entities.pool<world::Train>().entities());
   return names;
 }
 

@@ -16,7 +16,7 @@ namespace coaster::query {
 // An entity, a word, or a number; any text if none of these is set.
 struct ArgumentPart {
   std::string_view usage = {};                    // in help; empty: all words
-  std::optional<world::Kind> kind = {};           // the name of an entity of this kind
+  std::optional<world::EntityKind> kind = {};     // the name of an entity of this kind
   std::vector<std::string> (*words)() = nullptr;  // one of these words
   int most = 0;                                   // or a whole number from 1 to this one
   bool number = false;                            // any number
@@ -25,10 +25,10 @@ struct ArgumentPart {
 };
 using Argument = std::span<const ArgumentPart>;
 
-inline constexpr ArgumentPart kKnot[]{{.usage = "@knot", .kind = world::Kind::knot}};
-inline constexpr ArgumentPart kSegment[]{{.usage = "@segment", .kind = world::Kind::segment}};
-inline constexpr ArgumentPart kCart[]{{.usage = "@cart", .kind = world::Kind::cart}};
-inline constexpr ArgumentPart kSection[]{{.usage = "@section", .kind = world::Kind::section}};
+inline constexpr ArgumentPart kKnot[]{{.usage = "@knot", .kind = world::EntityKind::knot}};
+inline constexpr ArgumentPart kSegment[]{{.usage = "@segment", .kind = world::EntityKind::segment}};
+inline constexpr ArgumentPart kCart[]{{.usage = "@cart", .kind = world::EntityKind::cart}};
+inline constexpr ArgumentPart kSection[]{{.usage = "@section", .kind = world::EntityKind::section}};
 template <base::Named E>
 inline constexpr ArgumentPart kWordOf[]{{.words = base::names_of<E>}};
 

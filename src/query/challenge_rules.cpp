@@ -60,7 +60,7 @@ std::string knot_of(const edit::SessionFindings& find, const ParsedRule& rule) {
         find_query(parametric ? "weakest_parametric" : "weakest_geometric")->evaluate(context_of(find), {});
     return weakest ? to_text(*weakest) : "";
   }
-  if (query.argument.size() != 1 || query.argument[0].kind != world::Kind::knot) return {};
+  if (query.argument.size() != 1 || query.argument[0].kind != world::EntityKind::knot) return {};
   const std::string& argument = rule.condition.argument;
   return argument.starts_with('@') ? argument.substr(1) : argument;
 }

@@ -110,14 +110,14 @@ QueryContext context_of(const edit::SessionFindings& find) {
   return {find, kNothingDrawn, {}, {}};
 }
 
-base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::Kind kind) {
+base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::EntityKind kind) {
   const world::Document& document = context.session.document;
   const std::string_view word = argument.starts_with('@') ? argument.substr(1) : argument;
   const auto name = world::parse_name(word);
   if (name && name->kind == kind)
     if (const world::Entity found = world::find(document, *name); found.valid()) return found;
   std::vector<std::string> names;
-  for (const world::Name& other : document.entities.pool<world::Name>().items())
+  for (const world::EntityName& other : document.entities.pool<world::EntityName>().items())
     if (other.kind == kind) names.push_back("@" + world::to_text(other));
   const std::string wanted = fmt::format("@{}", word);
   return base::Status{base::Code::refused,

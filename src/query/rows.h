@@ -40,7 +40,7 @@ inline bool has_row(std::span<const Query> rows, std::string_view name) {
 QueryContext context_of(const edit::SessionFindings& find);
 
 // Returns the entity of that kind named `argument` ("@k3" or "k3"), or a Status with the error and a suggestion.
-base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::Kind kind);
+base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::EntityKind kind);
 
 // The result of a row, and its argument.
 using Answer = base::Result<Value>;
@@ -133,7 +133,7 @@ Answer of_frame(const QueryContext& c, View) {
 
 // Returns the value of `function` for the entity that the argument names.
 template <class Function>
-Answer of_entity(const QueryContext& c, View argument, world::Kind kind, Function function) {
+Answer of_entity(const QueryContext& c, View argument, world::EntityKind kind, Function function) {
   const auto entity = entity_of(c, argument, kind);
   if (!entity) return entity.status();
   return value_of(function(*entity));
@@ -145,7 +145,7 @@ std::optional<curve::JointContinuity> joint_at(const world::Document& document, 
 // Returns the value of `function` for the joint at the knot that the argument names.
 template <class Function>
 Answer at_joint(const QueryContext& c, View argument, Function function) {
-  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::knot, [&](world::Entity e) {
     const auto joint = joint_at(c.session.document, e);
     return joint ? value_of(function(*joint)) : none(kOpenEnd);
   });

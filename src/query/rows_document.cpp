@@ -9,7 +9,7 @@
 #include "query/rows.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 #include "sim/study/jolt.h"
 #include "sim/study/track_errata.h"
 #include "world/evaluation_settings.h"
@@ -93,22 +93,22 @@ Answer import_knots(const QueryContext& c, View) {
 // --- knots
 template <auto member>
 Answer of_knot(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot,
+  return of_entity(c, argument, world::EntityKind::knot,
                    [&](world::Entity e) { return std::invoke(member, world::knot(c.session.document, e)); });
 }
 double spin_deg(const world::Knot& knot) { return base::degrees(double{knot.spin}); }
 
 // --- segments
 Answer turns(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::segment,
+  return of_entity(c, argument, world::EntityKind::segment,
                    [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
 }
 Answer segment_length(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::segment,
+  return of_entity(c, argument, world::EntityKind::segment,
                    [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
 }
 Answer twist(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::segment, [&](world::Entity e) {
     const sim::SegmentShape& shape = c.session.derived.shape(e);
     return sim::has_cusp(shape) ? none("the segment has a cusp") : number(base::degrees(shape.roll.twist));
   });
@@ -258,7 +258,7 @@ Answer roughest_joint(const QueryContext& c, View) {
 // Return steps at the fastest passage of the ride; none where it does not pass.
 Value passed(std::optional<double> value) { return value ? number(*value) : none("the ride does not pass there"); }
 Answer ride_g_step(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::knot, [&](world::Entity e) {
     const world::Document& document = c.session.document;
     return passed(sim::fastest_step(document, c.find.jolts(), *world::index_of(document.track.knots, e)));
   });
@@ -305,7 +305,7 @@ Answer joints_g2(const QueryContext& c, View) {
 // Returns that value of the jolt at a knot; none without a ride or a joint.
 template <double sim::Jolt::*axis>
 Answer jolt(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::knot, [&](world::Entity e) {
     if (!joint_at(c.session.document, e)) return none(kOpenEnd);
     if (c.find.ride() == nullptr) return none(kNoRide);
     const std::span<const sim::Jolt> jolts = c.find.jolts();

@@ -170,11 +170,11 @@ Answer losses(const QueryContext& c, View) {
 }
 template <auto member>
 Answer of_cart(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::cart,
+  return of_entity(c, argument, world::EntityKind::cart,
                    [&](world::Entity e) { return c.session.document.entities.get<world::Train>(e).*member; });
 }
 Answer equipment(const QueryContext& c, View argument) {
-  const auto segment = entity_of(c, argument, world::Kind::segment);
+  const auto segment = entity_of(c, argument, world::EntityKind::segment);
   if (!segment) return segment.status();
   const auto* const found = c.session.document.entities.find<world::Equipment>(*segment);
   return found ? value_of(found->kind) : none("it has no equipment");

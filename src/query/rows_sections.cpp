@@ -14,7 +14,7 @@ namespace {
 // Returns the value of `function` for the segments of the section that the argument names.
 template <class Function>
 Answer of_run(const QueryContext& c, View argument, Function function) {
-  return of_entity(c, argument, world::Kind::section,
+  return of_entity(c, argument, world::EntityKind::section,
                    [&](world::Entity e) { return function(world::run_of(c.session.document, e)); });
 }
 std::string knot_at(const QueryContext& c, std::size_t index) {
@@ -26,12 +26,12 @@ Answer sections(const QueryContext& c, View) {
   return number(c.session.document.entities.pool<world::Section>().size());
 }
 Answer section_kind(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::section, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::section, [&](world::Entity e) {
     return std::string(world::kind_name(world::section(c.session.document, e)));
   });
 }
 Answer section_title(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::section,
+  return of_entity(c, argument, world::EntityKind::section,
                    [&](world::Entity e) { return world::title_of(world::section(c.session.document, e)); });
 }
 Answer section_segments(const QueryContext& c, View argument) {
@@ -50,7 +50,7 @@ Answer section_last(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) { return knot_at(c, run.end()); });
 }
 Answer section_of(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
+  return of_entity(c, argument, world::EntityKind::segment, [&](world::Entity e) {
     return world::label_of(c.session.document, world::segment(c.session.document, e).section);
   });
 }
@@ -65,7 +65,7 @@ Answer section_figure(const QueryContext& c, View argument) {
 // The argument is "@q1.height".
 Answer section_value(const QueryContext& c, View argument) {
   const std::size_t dot = argument.find('.');
-  const auto entity = entity_of(c, argument.substr(0, dot), world::Kind::section);
+  const auto entity = entity_of(c, argument.substr(0, dot), world::EntityKind::section);
   if (!entity) return entity.status();
   const world::Section& section = world::section(c.session.document, *entity);
   if (section.kind != world::SectionKind::element) return none("the section has no parameters");
@@ -193,7 +193,7 @@ constexpr Query kElementRows[]{
 // Returns the value of `function` for the plan of the force section that the argument names; "none" for others.
 template <class Function>
 Answer of_plan(const QueryContext& c, View argument, Function function) {
-  const auto section = entity_of(c, argument, world::Kind::section);
+  const auto section = entity_of(c, argument, world::EntityKind::section);
   if (!section) return section.status();
   const sim::ForcePlan* const plan = c.find.force(*section);
   return plan != nullptr ? function(*plan) : Answer(none("it is not a force section"));
@@ -247,7 +247,7 @@ Answer force_asked(const QueryContext& c, View word) {
 Answer force_met(const QueryContext& c, View word) {
   const ChannelPosition spot = force_place(word);
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
-    const auto section = entity_of(c, spot.section, world::Kind::section);
+    const auto section = entity_of(c, spot.section, world::EntityKind::section);
     const world::SectionRun run = world::run_of(c.session.document, *section);
     return value_of(met_at(c, plan, spot, run.first));
   });

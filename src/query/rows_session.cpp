@@ -21,11 +21,11 @@ namespace {
 
 Answer selected(const QueryContext& c, View) {
   const world::Entity e = c.session.settings.selected;
-  const bool any = c.session.document.entities.find<world::Name>(e) != nullptr;
+  const bool any = c.session.document.entities.find<world::EntityName>(e) != nullptr;
   return any ? text(world::label_of(c.session.document, e)) : none(kNothingSelected);
 }
 Answer selected_kind(const QueryContext& c, View) {
-  const auto* const name = c.session.document.entities.find<world::Name>(c.session.settings.selected);
+  const auto* const name = c.session.document.entities.find<world::EntityName>(c.session.settings.selected);
   return name ? value_of(name->kind) : none(kNothingSelected);
 }
 Answer selected_t(const QueryContext& c, View) {
@@ -95,7 +95,7 @@ constexpr Query kSessionRows[]{
     {"selected", "", "The selection, such as k4; none if nothing is selected.", selected, or_none(kText)},
     {"selected_t", "", "Selected position on the selected segment, a parameter from 0 to 1.", selected_t, or_none()},
     {"selected_kind", "", "knot, segment, cart or section: what is selected; none if nothing is.", selected_kind,
-     or_none(kOneOf<world::Kind>)},
+     or_none(kOneOf<world::EntityKind>)},
     {"selected_count", "", "Number of selected knots or sections; 1 for a segment or a train.", selected_count},
     {"snapping", "", "Dragged knots snap to: off, grid, knots or ground.", snapping, kOneOf<world::SnapTo>},
     {"undo_label", "", "Name of the next undo step; empty if there is none.", undo_label, kText},

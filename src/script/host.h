@@ -24,7 +24,7 @@ namespace coaster::script {
 // A target in the viewport, which the app projects to a pixel.
 struct AimPoint {
   view::PickKind kind = view::PickKind::none;  // none: a position of the world
-  world::Name name;
+  world::EntityName name;
   double t = 0;           // on a curve
   glm::vec3 position{0};  // for none
 };

@@ -39,7 +39,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   if (s.selected.valid() && session.document.entities.alive(s.selected))
     commands.push_back(edit::Select{{world::name_of(session.document, s.selected)}, s.selected_t});
   const auto names = [&](const std::vector<world::Entity>& several) {
-    std::vector<world::Name> all;
+    std::vector<world::EntityName> all;
     for (const world::Entity e : several) all.push_back(world::name_of(session.document, e));
     return all;
   };

@@ -80,12 +80,12 @@ bool refuse(WordReader& words, const base::Token& word) {
 
 // Reads "@k3.in", "@s2:0.4" and so on.
 bool read_entity(WordReader& words, const base::Token& word, AimPoint& point) {
-  using world::Kind;
-  constexpr std::tuple<Kind, std::string_view, PickKind> kMarks[] = {
-      {Kind::knot, "", PickKind::knot},          {Kind::knot, "in", PickKind::handle_in},
-      {Kind::knot, "out", PickKind::handle_out}, {Kind::knot, "spin", PickKind::spin},
-      {Kind::section, "", PickKind::section},    {Kind::section, "turn", PickKind::turn},
-      {Kind::section, "bank", PickKind::bank},   {Kind::cart, "", PickKind::cart}};
+  using world::EntityKind;
+  constexpr std::tuple<EntityKind, std::string_view, PickKind> kMarks[] = {
+      {EntityKind::knot, "", PickKind::knot},          {EntityKind::knot, "in", PickKind::handle_in},
+      {EntityKind::knot, "out", PickKind::handle_out}, {EntityKind::knot, "spin", PickKind::spin},
+      {EntityKind::section, "", PickKind::section},    {EntityKind::section, "turn", PickKind::turn},
+      {EntityKind::section, "bank", PickKind::bank},   {EntityKind::cart, "", PickKind::cart}};
   std::string_view text = word.text;
   if (!text.starts_with('@') || text.ends_with(':')) return refuse(words, word);
   text.remove_prefix(1);
@@ -98,7 +98,7 @@ bool read_entity(WordReader& words, const base::Token& word, AimPoint& point) {
   const bool placed = marked && text[mark_at] == ':';
   for (const auto& [of, mark, kind] : kMarks)
     if (of == name->kind && !placed && rest == mark) return point.kind = kind, true;
-  if (name->kind != Kind::segment || (!placed && !rest.empty())) return refuse(words, word);
+  if (name->kind != EntityKind::segment || (!placed && !rest.empty())) return refuse(words, word);
   point.kind = PickKind::curve;
   const auto t = placed ? base::parse_double(rest) : std::optional(0.5);
   point.t = t.value_or(0);

@@ -37,9 +37,9 @@ constexpr double kPlumbSpacing = 8;  // m along the track; more for long element
 constexpr double kLeastPlumb = 0.5;  // m above the ground
 
 // Interpolates the ideal curve at a distance along it.
-class CurveSampler {
+class ArcLengthInterpolator {
  public:
-  explicit CurveSampler(std::span<const ElementPoint> points) : points_(points) {}
+  explicit ArcLengthInterpolator(std::span<const ElementPoint> points) : points_(points) {}
   // Distances must not decrease between calls.
   ElementPoint operator()(double s) {
     while (next_ + 1 < points_.size() && points_[next_].s < s) ++next_;
@@ -95,7 +95,7 @@ void add_rails(const PreviewDrawing& sketch) {
   const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
   const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
   const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
-  CurveSampler sample(plan.ideal.points);
+  ArcLengthInterpolator sample(plan.ideal.points);
   ElementPoint before = sample(0);
   for (int i = 1; i <= steps; ++i) {
     const ElementPoint here = sample(plan.length * i / steps);
@@ -121,7 +121,7 @@ void add_dashes(const PreviewDrawing& sketch, const View& view) {
   if (!(px_per_metre > 0)) return;
   const double wanted = std::exp2(std::ceil(std::log2(kDashPx * static_cast<double>(sketch.scale) / px_per_metre)));
   const double dash = std::max(wanted, plan.length / (2 * kMaxElementSteps));
-  CurveSampler sample(points);
+  ArcLengthInterpolator sample(points);
   for (double s = 0; s < plan.length; s += 2 * dash) {
     const ElementPoint from = sample(s), to = sample(std::min(s + dash, plan.length));
     sketch.line(from.position, to.position, 2.5f, sketch.colour_at(from));

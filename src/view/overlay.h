@@ -7,7 +7,7 @@
 
 #include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 #include "sim/study/force_limits.h"
 #include "sim/study/jolt.h"
 #include "view/pick.h"

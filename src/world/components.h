@@ -211,6 +211,6 @@ struct UnknownMembers {
 
 // Components that a segment may have: files store their fields among the segment's, copies of the segment copy them.
 using Fittings = ComponentList<Equipment>;
-using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Train, Section, UnknownMembers>, Fittings>;
+using Entities = RegistryOf<ComponentList<EntityName, Knot, Segment, Train, Section, UnknownMembers>, Fittings>;
 
 }  // namespace coaster::world

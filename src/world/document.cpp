@@ -9,26 +9,26 @@ namespace coaster::world {
 
 Entity first_cart(const Document& document) {
   Entity first = kNone;
-  Name least;
+  EntityName least;
   for (const Entity cart : document.entities.pool<Train>().entities()) {
-    const Name name = name_of(document, cart);
+    const EntityName name = name_of(document, cart);
     if (!first.valid() || name < least) first = cart, least = name;
     if (least.number == 1) break;  // there is no lower one
   }
   return first;
 }
 
-Entity find(const Document& document, Name name) {
-  const Pool<Name>& names = document.entities.pool<Name>();
+Entity find(const Document& document, EntityName name) {
+  const Pool<EntityName>& names = document.entities.pool<EntityName>();
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names.items()[i] == name) return names.entities()[i];
   return kNone;
 }
 
-Name name_of(const Document& document, Entity entity) { return document.entities.get<Name>(entity); }
+EntityName name_of(const Document& document, Entity entity) { return document.entities.get<EntityName>(entity); }
 
 std::string label_of(const Document& document, Entity entity) {
-  const Name* const name = document.entities.find<Name>(entity);
+  const EntityName* const name = document.entities.find<EntityName>(entity);
   return name ? to_text(*name) : "-";
 }
 

@@ -37,8 +37,8 @@ struct Document {
   double heartline = 1.1;         // m above the rails, height of the riders' hearts, for which forces are given
   bool rollback_fails = true;     // true: a rollback ends the ride
   TrackCurve curve = TrackCurve::rails;
-  UnknownMembers extra;                                             // unknown top-level members of the file
-  std::array<std::uint32_t, base::count_of<Kind>()> last_number{};  // by Kind: the last number assigned
+  UnknownMembers extra;                                                   // unknown top-level members of the file
+  std::array<std::uint32_t, base::count_of<EntityKind>()> last_number{};  // by EntityKind: the last number assigned
   // The fields that determine how the track is ridden.
   static constexpr void fields(auto visit) {
     visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);
@@ -59,8 +59,8 @@ inline double rails_height(const Document& document) {
 inline double riders_height(const Document& document) { return rails_height(document) + document.heartline; }
 
 // Returns the entity of that name, or kNone. Linear in the number of entities (a microsecond per thousand).
-Entity find(const Document& document, Name name);
-Name name_of(const Document& document, Entity entity);  // the entity must be alive
+Entity find(const Document& document, EntityName name);
+EntityName name_of(const Document& document, Entity entity);  // the entity must be alive
 // Returns "k3" for a living entity, "-" for none.
 std::string label_of(const Document& document, Entity entity);
 

@@ -21,19 +21,19 @@ struct Entity {
 };
 inline constexpr Entity kNone{};
 
-enum class Kind : std::uint8_t { knot, segment, cart, section };
+enum class EntityKind : std::uint8_t { knot, segment, cart, section };
 inline constexpr base::NameRow kKinds[] = {{"knot"}, {"segment"}, {"cart"}, {"section"}};
-constexpr std::span<const base::NameRow> rows_of(Kind) { return kKinds; }
+constexpr std::span<const base::NameRow> rows_of(EntityKind) { return kKinds; }
 
 // The name of an entity: k3, s2, c1, q4. Numbers start at 1, are unique within a kind and are never reused within a
 // document, so undo restores the same name.
-struct Name {
-  Kind kind = Kind::knot;
+struct EntityName {
+  EntityKind kind = EntityKind::knot;
   std::uint32_t number = 0;
-  friend auto operator<=>(const Name&, const Name&) = default;
+  friend auto operator<=>(const EntityName&, const EntityName&) = default;
 };
 
-std::string to_text(Name name);                         // "k3"
-std::optional<Name> parse_name(std::string_view text);  // "k3", without the @ of scripts
+std::string to_text(EntityName name);                         // "k3"
+std::optional<EntityName> parse_name(std::string_view text);  // "k3", without the @ of scripts
 
 }  // namespace coaster::world

@@ -35,22 +35,22 @@ Broken broken_knot(const Document& document, Entity e) {
 }
 
 Broken broken_names(const Document& document) {
-  const auto& names = document.entities.pool<Name>();
+  const auto& names = document.entities.pool<EntityName>();
   if (names.size() != document.entities.size()) return "an entity without a name";
-  std::vector<Name> sorted = names.items();
+  std::vector<EntityName> sorted = names.items();
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
     return to_text(*twice) + ": the name is taken twice";
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Name name = names.items()[i];
+    const EntityName name = names.items()[i];
     const Entity e = names.entities()[i];
     if (name.number < 1 || name.number > document.last_number[static_cast<std::size_t>(name.kind)])
       return to_text(name) + ": number beyond the last one given";
     if (!document.entities.alive(e)) return to_text(name) + ": names a dead entity";
     const bool knot_here = document.entities.find<Knot>(e), segment_here = document.entities.find<Segment>(e),
                cart_here = document.entities.find<Train>(e), section_here = document.entities.find<Section>(e);
-    if (knot_here != (name.kind == Kind::knot) || segment_here != (name.kind == Kind::segment) ||
-        cart_here != (name.kind == Kind::cart) || section_here != (name.kind == Kind::section))
+    if (knot_here != (name.kind == EntityKind::knot) || segment_here != (name.kind == EntityKind::segment) ||
+        cart_here != (name.kind == EntityKind::cart) || section_here != (name.kind == EntityKind::section))
       return to_text(name) + ": components of another kind";
   }
   return {};

@@ -14,7 +14,7 @@ namespace {
 
 // Returns the number of an entity; 0, which no name has, if it is dead.
 std::uint32_t number_of(const Document& document, Entity e) {
-  const Name* const name = document.entities.find<Name>(e);
+  const EntityName* const name = document.entities.find<EntityName>(e);
   return name ? name->number : 0;
 }
 

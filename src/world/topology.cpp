@@ -34,23 +34,23 @@ void remove_carts_on(Document& document, Entity segment_entity) {
 }
 
 // Gives it the next number of its kind.
-Entity create_named(Document& document, Kind kind) {
+Entity create_named(Document& document, EntityKind kind) {
   std::uint32_t& last = document.last_number[static_cast<std::size_t>(kind)];
   COASTER_CHECK(last < std::numeric_limits<std::uint32_t>::max(), "numbers are never used again");
   const Entity e = document.entities.create();
-  document.entities.put(e, Name{kind, ++last});
+  document.entities.put(e, EntityName{kind, ++last});
   return e;
 }
 
 // Creates a free one.
 Entity create_section(Document& document) {
-  const Entity e = create_named(document, Kind::section);
+  const Entity e = create_named(document, EntityKind::section);
   document.entities.put(e, Section{});
   return e;
 }
 
 Entity create_segment(Document& document, Entity from, Entity to, Entity section) {
-  const Entity e = create_named(document, Kind::segment);
+  const Entity e = create_named(document, EntityKind::segment);
   document.entities.put(e, Segment{from, to, 0, section});
   return e;
 }
@@ -206,7 +206,7 @@ void settle_joints(Document& document) {
 }
 
 Entity add_cart(Document& document, Entity segment_entity, double fraction) {
-  const Entity e = create_named(document, Kind::cart);
+  const Entity e = create_named(document, EntityKind::cart);
   document.entities.put(e, Train{segment_entity, as_fraction(fraction, 1.0)});
   return e;
 }
@@ -214,7 +214,7 @@ Entity add_cart(Document& document, Entity segment_entity, double fraction) {
 Entity append_knot(Document& document, const Knot& value) {
   Track& track = document.track;
   COASTER_CHECK(!track.closed, "only an open track has an end to append to");
-  const Entity e = create_named(document, Kind::knot);
+  const Entity e = create_named(document, EntityKind::knot);
   document.entities.put(e, value);
   if (!track.knots.empty()) push_segment(document, track.knots.back(), e);
   track.knots.push_back(e);
@@ -245,7 +245,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
   middle.in_length = as_handle(lengths[1]), middle.out_length = as_handle(lengths[2]);
   orthonormalise(middle);
 
-  const Entity e = create_named(document, Kind::knot);
+  const Entity e = create_named(document, EntityKind::knot);
   document.entities.put(e, middle);
   const Entity second = create_segment(document, e, to, segment(document, first).section);
   document.entities.get<Segment>(first).to = e;
@@ -366,7 +366,7 @@ void resize_section(Document& document, Entity section, std::size_t count) {
   }
   for (; run.count < count; ++run.count) {
     const Entity before = track.segments[run.end() - 1], end = segment(document, before).to;
-    const Entity knot = create_named(document, Kind::knot);
+    const Entity knot = create_named(document, EntityKind::knot);
     document.entities.put(knot, Knot(world::knot(document, end)));
     const Entity after = create_segment(document, knot, end, section);
     document.entities.get<Segment>(before).to = knot;

@@ -44,7 +44,7 @@ class Frame : public ProgramTest {
 TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   place(*program_, world::ElementKind::straight);
   place(*program_, world::ElementKind::loop);
-  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 2}}}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::EntityKind::section, 2}}}).ok());
   press(*program_, platform::Key::c);
   const std::string text = surface(*program_).copied;
   EXPECT_NE(text.find("loop"), std::string::npos);
@@ -95,10 +95,10 @@ TEST_F(Frame, a_scene_alone_shows_the_track_without_any_aid) {
   EXPECT_GT(gfx::compare(program_->renderer->read_pixels(), plain).pixels, 50) << "the polyline can be seen";
   const auto same = [&](const char* with) { EXPECT_EQ(gfx::compare(alone(), plain).pixels, 0) << with; };
   same("the polyline");
-  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::knot, 2}}}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::EntityKind::knot, 2}}}).ok());
   ASSERT_TRUE(apply(*program_, edit::Set<&world::EditingAids::show_gizmo>{true}).ok());
   same("knots and their arrows");
-  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::EntityKind::section, 1}}}).ok());
   same("a section");
   ASSERT_TRUE(apply(*program_, edit::Set<&world::EditingAids::show_element>{true}).ok());
   same("an element");
@@ -152,7 +152,7 @@ TEST_F(Frame, what_was_copied_here_is_pasted_where_the_clipboard_holds_something
   press(*program_, platform::Key::v);
   EXPECT_EQ(last_notice(*program_), "Nothing was copied: copy sections first.");
   place(*program_, world::ElementKind::straight);
-  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::EntityKind::section, 1}}}).ok());
   press(*program_, platform::Key::c);
   surface(*program_).copied = "an address, perhaps";
   press(*program_, platform::Key::v);

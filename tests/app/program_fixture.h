@@ -89,7 +89,7 @@ class ProgramTest : public testing::Test {
   static void build_track(Program& program) {
     for (const glm::vec3 place : {glm::vec3{-17.3f, 4.1f, 6.7f}, {3.9f, 9.6f, -2.3f}, {21.1f, 5.3f, 8.9f}})
       ASSERT_TRUE(apply(program, edit::AppendKnot{place}).ok());
-    ASSERT_TRUE(apply(program, edit::AddTrain{{{world::Kind::segment, 1}}, 0.25}).ok());
+    ASSERT_TRUE(apply(program, edit::AddTrain{{{world::EntityKind::segment, 1}}, 0.25}).ok());
   }
   static std::string last_notice(const Program& program) {
     const auto& notices = program.session.notices.list;

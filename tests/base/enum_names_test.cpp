@@ -59,7 +59,7 @@ void expect_rows_up_to(E last) {
 
 // The compiler does not count enumerators, so the last one of each enumeration is listed here.
 TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
-  expect_rows_up_to(world::Kind::section);
+  expect_rows_up_to(world::EntityKind::section);
   expect_rows_up_to(world::JointKind::automatic);
   expect_rows_up_to(world::SpinKind::set);
   expect_rows_up_to(world::SectionKind::force);

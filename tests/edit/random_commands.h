@@ -32,25 +32,25 @@ class RandomCommands {
     C::fields(command, [&](std::string_view, auto& value) { fill(value); });
     return command;
   }
-  world::Name name() { return {static_cast<world::Kind>(below(4)), 1 + below(9)}; }
+  world::EntityName name() { return {static_cast<world::EntityKind>(below(4)), 1 + below(9)}; }
   double number() { return uniform(-1, 1) * std::exp2(uniform(-20, 12)); }
-  void fill(edit::Target& v) { v.name = below(9) ? name() : world::Name{}; }
+  void fill(edit::Target& v) { v.name = below(9) ? name() : world::EntityName{}; }
   void fill(edit::HandleTarget& v) {
-    v = {{world::Kind::knot, 1 + below(9)}, below(2) ? edit::HandleEnd::in : edit::HandleEnd::out};
+    v = {{world::EntityKind::knot, 1 + below(9)}, below(2) ? edit::HandleEnd::in : edit::HandleEnd::out};
   }
   void fill(edit::Knots& v) {
     const std::uint32_t which = below(6);
     if (which < 2) v = which == 0 ? edit::Knots::Which::all : edit::Knots::Which::selected;
     else if (which == 2)
       v.which = edit::Knots::Which::range,
-      v.names = {{world::Kind::knot, 1 + below(9)}, {world::Kind::knot, 1 + below(9)}};
+      v.names = {{world::EntityKind::knot, 1 + below(9)}, {world::EntityKind::knot, 1 + below(9)}};
     else
-      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
+      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::EntityKind::knot, 1 + below(9)});
   }
   void fill(edit::Sections& v) {
     if (below(6) == 0) v.which = edit::Knots::Which::all;
     else
-      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::section, 1 + below(9)});
+      for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::EntityKind::section, 1 + below(9)});
   }
   void fill(edit::KnotsOrSections& v) { fill(static_cast<edit::Knots&>(v)); }
   void fill(edit::Phrase& v) {

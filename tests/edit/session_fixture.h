@@ -89,7 +89,7 @@ class SessionTest : public testing::Test {
   }
 
   const world::Knot& knot(std::uint32_t number) const {
-    return world::knot(session.document, world::find(session.document, {world::Kind::knot, number}));
+    return world::knot(session.document, world::find(session.document, {world::EntityKind::knot, number}));
   }
   world::Entity entity(const char* name) const { return world::find(session.document, *world::parse_name(name)); }
   std::uint64_t hash() const { return world::hash(session.document); }

@@ -36,7 +36,7 @@ TEST_F(Swept, what_is_far_off_takes_fewer_triangles_and_no_upload) {
   EXPECT_LT(swept.triangles(), few + (all - few) / 5);
   for (float x = 0; x < 2000; x += 100) {
     swept.look_from({x, 20, 50}, {100, 100});
-    const TrackCache::Synced synced = cache.sync(track.derived, {});
+    const TrackCache::UploadStats synced = cache.sync(track.derived, {});
     EXPECT_EQ(synced.uploads, 0);
     EXPECT_EQ(synced.bytes, 0);
   }

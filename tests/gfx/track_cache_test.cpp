@@ -65,7 +65,7 @@ TEST_F(Cache, a_very_long_track_is_held_in_full_near_the_eye_alone_wherever_the_
   track.move(1, {0, 0.01f, 0});
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 2);
   cache.look_from({at(kMany / 2), kOff, kReach}, 0);
-  const TrackCache::Synced flown = cache.sync(track.derived, {});
+  const TrackCache::UploadStats flown = cache.sync(track.derived, {});
   EXPECT_GT(flown.uploads, 2);
   EXPECT_LT(flown.uploads, kMany / 10);
   EXPECT_EQ(flown.looked_at, flown.uploads);

@@ -119,7 +119,7 @@ class NoneTest : public test::SessionTest {
   std::vector<std::string> words_of(const ArgumentPart& part) {
     std::vector<std::string> words = part.words ? part.words() : std::vector<std::string>();
     if (part.kind)
-      for (const world::Name& name : session.document.entities.pool<world::Name>().items())
+      for (const world::EntityName& name : session.document.entities.pool<world::EntityName>().items())
         if (name.kind == *part.kind) words.push_back("@" + world::to_text(name));
     for (int i = 1; i <= part.most; ++i) words.push_back(std::to_string(i));
     if (part.number) words = {"0", "1e6"};

@@ -5,7 +5,7 @@
 #include "base/hash.h"
 #include "edit/session_fixture.h"
 #include "query/context.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 
 namespace coaster::query {
 namespace query_test {
@@ -45,8 +45,8 @@ std::string sample_argument(const Query& query) {
   std::string sample;
   for (const ArgumentPart& part : query.argument) {
     if (part.before != 0) sample += part.before;
-    if (part.kind == world::Kind::segment) sample += "@s3";
-    else if (part.kind) sample += "@" + world::to_text({*part.kind, part.kind == world::Kind::knot ? 2u : 1u});
+    if (part.kind == world::EntityKind::segment) sample += "@s3";
+    else if (part.kind) sample += "@" + world::to_text({*part.kind, part.kind == world::EntityKind::knot ? 2u : 1u});
     else if (part.usage == "\"PATH\"") sample += "Track/Name";
     else sample += part.words ? part.words().back() : part.number ? "7.5" : std::to_string(part.most);
   }

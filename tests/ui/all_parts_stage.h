@@ -56,8 +56,9 @@ class AllPartsStage : public Stage {
       const std::string where(base::name_of(one));
       good(edit::Select{});
       show(where);
-      for (const auto& [kind, number] :
-           {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::section, 1u}}) {
+      for (const auto& [kind, number] : {std::pair{world::EntityKind::knot, 2u},
+                                         {world::EntityKind::segment, 1u},
+                                         {world::EntityKind::section, 1u}}) {
         if (!entity(kind, number).valid()) continue;
         select(kind, number);
         show(where + " with a selection");

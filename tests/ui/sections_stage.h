@@ -37,7 +37,7 @@ class SectionsStage : public Stage {
     frames(2);
   }
 
-  world::Entity section(std::uint32_t number) const { return entity(world::Kind::section, number); }
+  world::Entity section(std::uint32_t number) const { return entity(world::EntityKind::section, number); }
   const world::Section& value(std::uint32_t number) const { return world::section(session_.document, section(number)); }
   world::SectionRun run(std::uint32_t number) const { return world::run_of(session_.document, section(number)); }
   double parameter(std::uint32_t number, std::string_view name) const {

@@ -29,7 +29,7 @@ namespace coaster::ui {
 inline void build_track(edit::Session& session, base::Files& files) {
   const glm::vec3 places[] = {{-17.3f, 4.1f, 6.7f}, {3.9f, 9.6f, -2.3f}, {21.1f, 5.3f, 8.9f}};
   for (const glm::vec3 place : places) EXPECT_TRUE(edit::apply(session, files, edit::AppendKnot{place}).ok());
-  EXPECT_TRUE(edit::apply(session, files, edit::AddTrain{{{world::Kind::segment, 1}}, 0.25}).ok());
+  EXPECT_TRUE(edit::apply(session, files, edit::AddTrain{{{world::EntityKind::segment, 1}}, 0.25}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
 }
 
@@ -196,17 +196,17 @@ class Stage : public testing::Test {
   // Returns where a knot is on the screen, in the view of the last frame.
   glm::vec2 pixel_of(std::uint32_t knot) const {
     const auto at =
-        view::project(host_->view(), world::knot(session_.document, entity(world::Kind::knot, knot)).position);
+        view::project(host_->view(), world::knot(session_.document, entity(world::EntityKind::knot, knot)).position);
     EXPECT_TRUE(at.has_value());
     return at ? glm::vec2(*at) : glm::vec2(0);
   }
-  world::Entity entity(world::Kind kind, std::uint32_t number) const {
+  world::Entity entity(world::EntityKind kind, std::uint32_t number) const {
     return world::find(session_.document, {kind, number});
   }
   const world::Knot& knot(std::uint32_t number) const {
-    return world::knot(session_.document, entity(world::Kind::knot, number));
+    return world::knot(session_.document, entity(world::EntityKind::knot, number));
   }
-  void select(world::Kind kind, std::uint32_t number) {
+  void select(world::EntityKind kind, std::uint32_t number) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{kind, number}}}).ok());
     frames(2);
   }

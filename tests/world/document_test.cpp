@@ -13,8 +13,8 @@ TEST(document, find_and_name_are_inverse) {
   const Document d = test::sample_document();
   for (const Entity e : d.track.knots) EXPECT_EQ(find(d, name_of(d, e)), e);
   for (const Entity e : d.track.segments) EXPECT_EQ(find(d, name_of(d, e)), e);
-  EXPECT_EQ(find(d, {Kind::knot, 6}), kNone);
-  EXPECT_EQ(find(d, {Kind::segment, 5}), kNone);
+  EXPECT_EQ(find(d, {EntityKind::knot, 6}), kNone);
+  EXPECT_EQ(find(d, {EntityKind::segment, 5}), kNone);
   EXPECT_EQ(label_of(d, d.track.segments[2]), "s3");
   EXPECT_EQ(label_of(d, kNone), "-");
 }
@@ -27,9 +27,9 @@ TEST(document, the_first_train_is_that_of_the_least_number_however_they_are_stor
   EXPECT_EQ(first_cart(d), kNone);
   for (const unsigned number : {7u, 3u, 9u}) {
     const Entity cart = d.entities.create();
-    d.entities.put(cart, Name{Kind::cart, number}), d.entities.put(cart, Train{d.track.segments[0], 0.5});
+    d.entities.put(cart, EntityName{EntityKind::cart, number}), d.entities.put(cart, Train{d.track.segments[0], 0.5});
   }
-  EXPECT_EQ(name_of(d, first_cart(d)), (Name{Kind::cart, 3}));
+  EXPECT_EQ(name_of(d, first_cart(d)), (EntityName{EntityKind::cart, 3}));
 }
 
 TEST(document, a_segment_meets_its_knots_exactly_and_leaves_along_their_tangents) {

@@ -5,11 +5,11 @@
 namespace coaster::world {
 
 TEST(entity, names_print_and_parse_back) {
-  for (const Kind kind : {Kind::knot, Kind::segment, Kind::cart, Kind::section})
+  for (const EntityKind kind : {EntityKind::knot, EntityKind::segment, EntityKind::cart, EntityKind::section})
     for (const std::uint32_t number : {1u, 7u, 10u, 4294967295u})
-      EXPECT_EQ(parse_name(to_text(Name{kind, number})), (Name{kind, number}));
-  EXPECT_EQ(to_text(Name{Kind::cart, 12}), "c12");
-  EXPECT_EQ(to_text(Name{Kind::section, 3}), "q3");
+      EXPECT_EQ(parse_name(to_text(EntityName{kind, number})), (EntityName{kind, number}));
+  EXPECT_EQ(to_text(EntityName{EntityKind::cart, 12}), "c12");
+  EXPECT_EQ(to_text(EntityName{EntityKind::section, 3}), "q3");
 }
 
 TEST(entity, other_texts_are_no_names) {

@@ -36,15 +36,19 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([](Document& d) { d.start_speed = 151; }, "start speed");
   expect_broken([](Document& d) { d.datum = std::numeric_limits<double>::infinity(); }, "datum");
   expect_broken([](Document& d) { d.last_number[0] = 4; }, "k5: number");
-  expect_broken([](Document& d) { d.entities.put(d.track.knots[0], Name{Kind::knot, 2}); }, "twice");
-  expect_broken([](Document& d) { d.entities.put(d.track.knots[0], Name{Kind::cart, 1}); }, "");
+  expect_broken([](Document& d) { d.entities.put(d.track.knots[0], EntityName{EntityKind::knot, 2}); }, "twice");
+  expect_broken([](Document& d) { d.entities.put(d.track.knots[0], EntityName{EntityKind::cart, 1}); }, "");
   expect_broken([](Document& d) { d.entities.create(); }, "without a name");
   expect_broken([](Document& d) { d.track.closed = true; }, "number of segments");
   expect_broken([](Document& d) { d.track.segments.pop_back(); }, "number of segments");
   expect_broken([](Document& d) { std::swap(d.track.segments[0], d.track.segments[1]); }, "lead");
   expect_broken([](Document& d) { std::swap(d.track.knots[0], d.track.knots[1]); }, "lead");
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[0]).turns = 17; }, "turns");
-  expect_broken([](Document& d) { d.entities.get<Train>(find(d, {Kind::cart, 1})).fraction = 1; }, "c1: fraction");
+  expect_broken(
+      [](Document& d) {
+        d.entities.get<Train>(find(d, {EntityKind::cart, 1})).fraction = 1;
+      },
+      "c1: fraction");
   const auto section_of = [](Document& d) -> Section& { return d.entities.pool<Section>().items().front(); };
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[1]).section = kNone; }, "s2: in no section");
   expect_broken(
@@ -73,10 +77,14 @@ TEST(invariants, every_broken_promise_is_noticed) {
             section_of(d).closing.*number = value;
           },
           "q1: title or parameters");
-  expect_broken([](Document& d) { d.entities.put(segment(d, d.track.segments[0]).section, Name{Kind::cart, 2}); }, "");
   expect_broken(
       [](Document& d) {
-        d.entities.get<Train>(find(d, {Kind::cart, 1})).segment = kNone;
+        d.entities.put(segment(d, d.track.segments[0]).section, EntityName{EntityKind::cart, 2});
+      },
+      "");
+  expect_broken(
+      [](Document& d) {
+        d.entities.get<Train>(find(d, {EntityKind::cart, 1})).segment = kNone;
       },
       "c1: on no segment");
 }

@@ -50,9 +50,9 @@ TEST(state_hash, every_member_counts) {
   EXPECT_TRUE(differs([](Document& d) { std::swap(d.track.knots[0], d.track.knots[1]); }));
   EXPECT_TRUE(differs([](Document& d) { d.entities.get<Segment>(d.track.segments[0]).turns = 1; }));
   EXPECT_TRUE(differs([](Document& d) { d.entities.put(d.track.segments[0], UnknownMembers{"{}"}); }));
-  EXPECT_TRUE(differs([](Document& d) { d.entities.get<Train>(find(d, {Kind::cart, 1})).fraction += 1e-9; }));
+  EXPECT_TRUE(differs([](Document& d) { d.entities.get<Train>(find(d, {EntityKind::cart, 1})).fraction += 1e-9; }));
   EXPECT_TRUE(differs([](Document& d) {
-    d.entities.get<Train>(find(d, {Kind::cart, 1})).segment = d.track.segments[0];
+    d.entities.get<Train>(find(d, {EntityKind::cart, 1})).segment = d.track.segments[0];
   }));
   EXPECT_TRUE(differs([](Document& d) { add_cart(d, d.track.segments[0], 0); }));
 }
@@ -90,10 +90,10 @@ TEST(state_hash, slots_and_numbers_to_come_do_not_count) {
   // The same content by another way: two carts taken away and added in the other order.
   Document a = plain_document(), b = plain_document();
   add_cart(a, a.track.segments[0], 0.5);
-  b.entities.destroy(find(b, {Kind::cart, 1}));
+  b.entities.destroy(find(b, {EntityKind::cart, 1}));
   const Entity second = b.entities.create(), spare = b.entities.create(), first = b.entities.create();
-  b.entities.put(second, Name{Kind::cart, 2}), b.entities.put(second, Train{b.track.segments[0], 0.5});
-  b.entities.put(first, Name{Kind::cart, 1}), b.entities.put(first, Train{b.track.segments[0], 0.25});
+  b.entities.put(second, EntityName{EntityKind::cart, 2}), b.entities.put(second, Train{b.track.segments[0], 0.5});
+  b.entities.put(first, EntityName{EntityKind::cart, 1}), b.entities.put(first, Train{b.track.segments[0], 0.25});
   b.entities.destroy(spare);
   b.last_number[2] = 9;
   EXPECT_FALSE(a == b);
@@ -102,7 +102,7 @@ TEST(state_hash, slots_and_numbers_to_come_do_not_count) {
 
 TEST(state_hash, the_hash_of_motion_is_fixed_and_takes_carts_by_name) {
   const Document d = test::sample_document();
-  const Entity c1 = find(d, {Kind::cart, 1}), c2 = find(d, {Kind::cart, 2});
+  const Entity c1 = find(d, {EntityKind::cart, 1}), c2 = find(d, {EntityKind::cart, 2});
   const TrainMotion one{d.track.segments[1], 3.7, 11.3, 30.1, 41.9, 5.5, 1, 60.3, 55.1};
   const TrainMotion two{d.track.segments[3], 0.7, -1.3, 20.3, 99.1, -5.5, -2, 61.7, 50.9};
   Motion a, b;

@@ -10,7 +10,7 @@ namespace coaster::world {
 namespace topology_test {
 
 const Train& cart(const Document& d, std::uint32_t number) {
-  return d.entities.get<Train>(find(d, {Kind::cart, number}));
+  return d.entities.get<Train>(find(d, {EntityKind::cart, number}));
 }
 
 // m from the start of the track.
@@ -84,7 +84,7 @@ TEST(topology, removing_an_end_takes_its_segment_and_carts) {
   Document d = test::sample_document();
   remove_knot(d, d.track.knots.back());
   EXPECT_EQ(d.track.segments.size(), 3u);
-  EXPECT_EQ(find(d, {Kind::cart, 2}), kNone);
+  EXPECT_EQ(find(d, {EntityKind::cart, 2}), kNone);
   EXPECT_EQ(broken_invariant(d), std::nullopt);
   remove_knot(d, d.track.knots.front());
   EXPECT_EQ(label_of(d, d.track.segments.front()), "s2");

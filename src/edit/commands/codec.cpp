@@ -192,8 +192,8 @@ std::string print(const Command& command) {
   bool on_segment = false;
   for (const Field& field : fields) {
     if (field.is_target()) {
-      const world::Name& name = static_cast<const Target*>(field.value)->name;
-      on_segment = name.number != 0 && name.kind == world::Kind::segment;
+      const world::EntityName& name = static_cast<const Target*>(field.value)->name;
+      on_segment = name.number != 0 && name.kind == world::EntityKind::segment;
     }
     if (field.keyword.optional && of_anything && !on_segment) continue;
     const Flag* const flag = field.flag();

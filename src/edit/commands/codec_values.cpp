@@ -20,7 +20,7 @@ bool read_number(base::WordReader& words, std::string_view what, Parse parse, T&
   return true;
 }
 
-std::string words_of_name(world::Name name, const world::Document& document) {
+std::string words_of_name(world::EntityName name, const world::Document& document) {
   const auto* const section = document.entities.find<world::Section>(world::find(document, name));
   return section ? world::words_of(*section) : world::to_text(name);
 }
@@ -43,14 +43,14 @@ std::string print_several(const Several& value) {
   if (value.which == Knots::Which::selected) return "selected";
   const std::string_view between = value.which == Knots::Which::range ? "..@" : ",@";
   std::string text;
-  for (const world::Name& name : value.names) {
+  for (const world::EntityName& name : value.names) {
     text += text.empty() ? "@" : between;
     text += world::to_text(name);
   }
   return text.empty() ? "none" : text;
 }
 
-std::optional<world::Name> read_name(std::string_view word) {
+std::optional<world::EntityName> read_name(std::string_view word) {
   return word.starts_with('@') ? world::parse_name(word.substr(1)) : std::nullopt;
 }
 
@@ -146,7 +146,7 @@ std::string words_of(const Sections& value, const world::Document& document) {
   return words_of_several(value, "sections", document);
 }
 std::string words_of(const KnotsOrSections& value, const world::Document& document) {
-  const bool sections = !value.names.empty() && value.names.front().kind == world::Kind::section;
+  const bool sections = !value.names.empty() && value.names.front().kind == world::EntityKind::section;
   return words_of_several(value,
                           sections                           ? "sections"
                           : value.which == Knots::Which::all ? "knots"
@@ -205,7 +205,7 @@ bool read_value(base::WordReader& words, HandleTarget& value) {
   if (!text.starts_with('@') || (!in && !out)) return words.reject(kExpected);
   text.remove_prefix(1), text.remove_suffix(in ? 3 : 4);
   const auto name = world::parse_name(text);
-  if (!name || name->kind != world::Kind::knot) return words.reject(kExpected);
+  if (!name || name->kind != world::EntityKind::knot) return words.reject(kExpected);
   value = {*name, in ? HandleEnd::in : HandleEnd::out};
   return true;
 }

@@ -20,7 +20,7 @@ struct Knots;
 
 // An entity of any kind, written "@k3"; number 0 is "none".
 struct Target {
-  world::Name name;
+  world::EntityName name;
   operator Knots() const;  // a command for several knots accepts one
   friend bool operator==(const Target&, const Target&) = default;
 };
@@ -30,11 +30,11 @@ struct Target {
 // first knot.
 struct Knots {
   enum class Which : std::uint8_t { named, range, all, selected } which = Which::named;
-  std::vector<world::Name> names;  // of a range: the first and the last
+  std::vector<world::EntityName> names;  // of a range: the first and the last
   Knots() = default;
-  Knots(world::Name one) : names{one} {}
+  Knots(world::EntityName one) : names{one} {}
   Knots(Which all_or_selected) : which(all_or_selected) {}
-  explicit Knots(std::vector<world::Name> several) : names(std::move(several)) {}
+  explicit Knots(std::vector<world::EntityName> several) : names(std::move(several)) {}
   friend bool operator==(const Knots&, const Knots&) = default;
 };
 inline Target::operator Knots() const { return Knots(name); }
@@ -42,10 +42,10 @@ inline Target::operator Knots() const { return Knots(name); }
 // Several sections, written as knots are: "@q1,@q3", "all" or "selected". Order does not matter.
 struct Sections {
   Knots::Which which = Knots::Which::named;
-  std::vector<world::Name> names;
+  std::vector<world::EntityName> names;
   Sections() = default;
-  Sections(world::Name one) : names{one} {}
-  explicit Sections(std::vector<world::Name> several) : names(std::move(several)) {}
+  Sections(world::EntityName one) : names{one} {}
+  explicit Sections(std::vector<world::EntityName> several) : names(std::move(several)) {}
   friend bool operator==(const Sections&, const Sections&) = default;
 };
 
@@ -83,7 +83,7 @@ struct CameraChange {
 enum class HandleEnd : std::uint8_t { in, out };
 // A knot's handle, written "@k3.in" or "@k3.out".
 struct HandleTarget {
-  world::Name knot;
+  world::EntityName knot;
   HandleEnd end = HandleEnd::out;
   friend bool operator==(const HandleTarget&, const HandleTarget&) = default;
 };
@@ -117,11 +117,11 @@ struct CommandInfo {
 // Returns the kind of the entity that a command names in its field segment, cart, section or knot; nothing for a
 // command without such a field, or whose field has another name because it may be of several kinds.
 template <class C>
-constexpr std::optional<world::Kind> named_kind() {
-  if constexpr (requires(C c) { c.segment.name; }) return world::Kind::segment;
-  else if constexpr (requires(C c) { c.cart.name; }) return world::Kind::cart;
-  else if constexpr (requires(C c) { c.section.name; }) return world::Kind::section;
-  else if constexpr (requires(C c) { c.knot.name; }) return world::Kind::knot;
+constexpr std::optional<world::EntityKind> named_kind() {
+  if constexpr (requires(C c) { c.segment.name; }) return world::EntityKind::segment;
+  else if constexpr (requires(C c) { c.cart.name; }) return world::EntityKind::cart;
+  else if constexpr (requires(C c) { c.section.name; }) return world::EntityKind::section;
+  else if constexpr (requires(C c) { c.knot.name; }) return world::EntityKind::knot;
   else return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ using world::ForceKey;
 using world::ForceProgram;
 
 base::Result<Entity> force_section(const Session& session, Target target) {
-  const auto section = require(session, target, world::Kind::section);
+  const auto section = require(session, target, world::EntityKind::section);
   if (!section) return section.status();
   if (world::section(session.document, *section).kind == world::SectionKind::force) return *section;
   return refused(world::words_of(world::section(session.document, *section)) + " is not a force section");

@@ -11,9 +11,9 @@ namespace coaster::edit {
 namespace {
 
 // Returns the knots from one to another, in the direction of travel; on an open track in either order.
-base::Result<std::vector<world::Entity>> from_to(const Session& session, const std::vector<world::Name>& ends) {
-  const auto first = require(session, {ends.front()}, world::Kind::knot),
-             last = require(session, {ends.back()}, world::Kind::knot);
+base::Result<std::vector<world::Entity>> from_to(const Session& session, const std::vector<world::EntityName>& ends) {
+  const auto first = require(session, {ends.front()}, world::EntityKind::knot),
+             last = require(session, {ends.back()}, world::EntityKind::knot);
   if (!first || !last) return first ? last.status() : first.status();
   const world::Track& track = session.document.track;
   std::size_t from = *world::index_of(track.knots, *first), to = *world::index_of(track.knots, *last);
@@ -24,19 +24,19 @@ base::Result<std::vector<world::Entity>> from_to(const Session& session, const s
 }
 
 // Resolves names to entities, in one pass through the pool for many names.
-base::Result<std::vector<world::Entity>> named(const Session& session, const std::vector<world::Name>& names) {
+base::Result<std::vector<world::Entity>> named(const Session& session, const std::vector<world::EntityName>& names) {
   std::vector<world::Entity> found;
   std::map<std::uint32_t, world::Entity> numbers;
   if (names.size() > 4)
     for (const world::Entity e : session.document.track.knots)
       numbers.emplace(world::name_of(session.document, e).number, e);
-  for (const world::Name name : names) {
-    const auto place = name.kind == world::Kind::knot ? numbers.find(name.number) : numbers.end();
+  for (const world::EntityName name : names) {
+    const auto place = name.kind == world::EntityKind::knot ? numbers.find(name.number) : numbers.end();
     if (place != numbers.end()) {
       found.push_back(place->second);
       continue;
     }
-    const auto e = require(session, {name}, world::Kind::knot);
+    const auto e = require(session, {name}, world::EntityKind::knot);
     if (!e) return e.status();
     found.push_back(*e);
   }
@@ -68,8 +68,8 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
 base::Result<std::vector<world::Entity>> chosen_sections(const Session& session, const Sections& sections) {
   std::vector<world::Entity> chosen, ordered;
   if (sections.which == Knots::Which::selected) chosen = world::selected_sections(session.document, session.settings);
-  for (const world::Name name : sections.names) {
-    const auto e = require(session, {name}, world::Kind::section);
+  for (const world::EntityName name : sections.names) {
+    const auto e = require(session, {name}, world::EntityKind::section);
     if (!e) return e.status();
     chosen.push_back(*e);
   }

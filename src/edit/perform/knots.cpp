@@ -20,8 +20,8 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
+using world::EntityKind;
 using world::JointKind;
-using world::Kind;
 using world::Knot;
 
 constexpr double kShortDirection = 1e-9;  // m, as in world::set_tangent
@@ -141,7 +141,7 @@ Status perform(Session& session, Change& change, const MoveKnot& command) {
 }
 
 Status perform(Session& session, Change& change, const MoveHandle& command) {
-  const auto e = require(session, {command.handle.knot}, Kind::knot);
+  const auto e = require(session, {command.handle.knot}, EntityKind::knot);
   if (!e) return e.status();
   Knot& knot = knot_at(session, *e);
   const bool in = command.handle.end == HandleEnd::in;

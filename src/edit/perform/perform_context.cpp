@@ -62,7 +62,7 @@ void warn(Session& session, const std::vector<std::string>& warnings) {
 
 base::Status refused(std::string message) { return {base::Code::refused, std::move(message)}; }
 
-base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind) {
+base::Result<world::Entity> require(const Session& session, Target target, world::EntityKind kind) {
   const std::string_view wanted = base::name_of(kind);
   if (target.name.number == 0) return refused(fmt::format("expected a {}, found none", wanted));
   const std::string name = world::to_text(target.name);

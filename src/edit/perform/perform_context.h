@@ -46,7 +46,7 @@ struct Change {
 
 base::Status refused(std::string message);
 // Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
-base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
+base::Result<world::Entity> require(const Session& session, Target target, world::EntityKind kind);
 
 // Returns the entity of a command's field segment, knot, cart or section: apply() has refused the command otherwise,
 // and if one of its numbers is not finite.

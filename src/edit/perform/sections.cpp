@@ -18,7 +18,7 @@ namespace coaster::edit {
 
 using base::Status;
 using world::Entity;
-using world::Kind;
+using world::EntityKind;
 using world::SectionRun;
 
 namespace {

@@ -194,7 +194,7 @@ bool names_sections(const Session& session, const SeekGoal& command) {
   const Knots& of = command.of;
   if (of.which == Knots::Which::selected) return !world::selected_sections(session.document, session.settings).empty();
   if (of.which == Knots::Which::all) return kinds_of(command.by.text).empty();
-  return !of.names.empty() && of.names.front().kind == world::Kind::section;
+  return !of.names.empty() && of.names.front().kind == world::EntityKind::section;
 }
 
 // Limits the unknown to the command's limits; false if it starts beyond them.
@@ -322,7 +322,7 @@ base::Result<Numbers> of_sections(const Session& session, const SeekGoal& comman
 }
 
 Status give_one(Session& session, Change& change, const SeekNumber& number, double value) {
-  const world::Name name = world::name_of(session.document, number.entity);
+  const world::EntityName name = world::name_of(session.document, number.entity);
   if (number.kind == SeekKind::roll) return perform(session, change, SetRoll{name, value});
   if (number.kind == SeekKind::parameter) {
     world::Element element = world::section(session.document, number.entity).element;
@@ -374,8 +374,8 @@ Status perform(Session& session, Change& change, const SeekGoal& command) {
 }
 
 std::optional<std::string> wrong_by(const SeekGoal& command) {
-  const std::vector<world::Name>& of = command.of.names;
-  const bool knots = of.empty() || of.front().kind != world::Kind::section, sections = of.empty() || !knots;
+  const std::vector<world::EntityName>& of = command.of.names;
+  const bool knots = of.empty() || of.front().kind != world::EntityKind::section, sections = of.empty() || !knots;
   std::vector<std::string> names = knots ? base::names_in(knot_rows()) : std::vector<std::string>();
   if (sections) {
     if (force_by(command.by.text)) return std::nullopt;

@@ -89,7 +89,7 @@ Status perform(Session& session, Change&, const Select& command) {
   }
   const auto e = require(session, command.what, command.what.name.kind);
   if (!e) return e.status();
-  if (command.what.name.kind == world::Kind::segment) settings.selected_t = command.at;
+  if (command.what.name.kind == world::EntityKind::segment) settings.selected_t = command.at;
   settings.selected = *e, settings.also.clear();
   return {};
 }

@@ -80,7 +80,7 @@ class JsonTreeBuilder {
 
  private:
   using Members = Json::object_t::Container;
-  struct Open {
+  struct OpenContainer {
     Json* node;
     std::set<std::string> keys;  // keys of a large object so far
     std::string key;             // key of the next value
@@ -159,7 +159,7 @@ class JsonTreeBuilder {
   std::string_view text_, name_;
   const TakeElement& take_;
   std::size_t most_values_;
-  std::vector<Open> open_;
+  std::vector<OpenContainer> open_;
   std::size_t values_ = 0;
 };
 

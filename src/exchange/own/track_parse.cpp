@@ -28,7 +28,7 @@ namespace {
 
 using world::Document;
 using world::Entity;
-using world::Kind;
+using world::EntityKind;
 
 // The state of a parse. `error` is the first error, without the file's name.
 struct TrackParse {
@@ -42,8 +42,8 @@ struct TrackParse {
     std::string error;
   };
   StreamedItems knots, segments;
-  std::array<std::unordered_map<std::uint32_t, world::Entity>, base::count_of<world::Kind>()>
-      by_number;  // by world::Kind
+  std::array<std::unordered_map<std::uint32_t, world::Entity>, base::count_of<world::EntityKind>()>
+      by_number;  // by world::EntityKind
 };
 
 constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers of new entities
@@ -56,12 +56,12 @@ glm::vec3 direction(glm::dvec3 v) {
 }
 
 // Returns "k3" in quotation marks.
-std::string quoted_id(world::Kind kind, std::uint32_t number) {
-  return fmt::format("\"{}\"", world::to_text(world::Name{kind, number}));
+std::string quoted_id(world::EntityKind kind, std::uint32_t number) {
+  return fmt::format("\"{}\"", world::to_text(world::EntityName{kind, number}));
 }
 
 // Reads a member that names an entity: "k3".
-bool read_id(JsonFieldReader& fields, std::string_view member, world::Kind kind, std::uint32_t& number) {
+bool read_id(JsonFieldReader& fields, std::string_view member, world::EntityKind kind, std::uint32_t& number) {
   std::string text;
   if (!fields.text(member, text)) return false;
   const auto name = world::parse_name(text);
@@ -107,11 +107,11 @@ bool read_value(TrackParse& parse, JsonFieldReader& fields, const world::Field& 
   } else {
     static_assert(std::is_same_v<T, world::Entity>);
     std::uint32_t number = 0;
-    if (!read_id(fields, field.name, world::Kind::segment, number)) return false;
-    const auto& segments = parse.by_number[static_cast<std::size_t>(world::Kind::segment)];
+    if (!read_id(fields, field.name, world::EntityKind::segment, number)) return false;
+    const auto& segments = parse.by_number[static_cast<std::size_t>(world::EntityKind::segment)];
     const auto found = segments.find(number);
     if (found == segments.end())
-      return fields.fail(field.name, "there is no segment " + quoted_id(world::Kind::segment, number));
+      return fields.fail(field.name, "there is no segment " + quoted_id(world::EntityKind::segment, number));
     value = found->second;
     return true;
   }
@@ -248,13 +248,13 @@ bool read_force_keys(JsonFieldReader& fields, world::ForceProgram& force) {
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
 
 // Creates the entity of an "id" member, with its name.
-bool create(TrackParse& parse, JsonFieldReader& fields, Kind kind, Entity& e) {
+bool create(TrackParse& parse, JsonFieldReader& fields, EntityKind kind, Entity& e) {
   std::uint32_t number = 0;
   if (!read_id(fields, "id", kind, number)) return false;
   auto& taken = parse.by_number[static_cast<std::size_t>(kind)];
   if (taken.contains(number)) return fields.fail("id", quoted_id(kind, number) + " is already used");
   e = parse.document.entities.create();
-  parse.document.entities.put(e, world::Name{kind, number});
+  parse.document.entities.put(e, world::EntityName{kind, number});
   taken.emplace(number, e);
   std::uint32_t& last = parse.document.last_number[static_cast<std::size_t>(kind)];
   last = std::max(last, number);
@@ -274,7 +274,7 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   JsonFieldReader fields(value, {"knots", index}, parse.error);
   Entity e;
   world::Knot knot;
-  if (!create(parse, fields, Kind::knot, e) || !read_component(parse, fields, knot)) return false;
+  if (!create(parse, fields, EntityKind::knot, e) || !read_component(parse, fields, knot)) return false;
   if (glm::length(glm::cross(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) < kParallel)
     return fields.fail("up", "expected a vector that is not parallel to the tangent");
   world::orthonormalise(knot);
@@ -304,13 +304,13 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   const auto& knots = parse.document.track.knots;
   world::Segment segment{knots[index], knots[(index + 1) % knots.size()], 0, {}};
   Entity e;
-  if (!create(parse, fields, Kind::segment, e)) return false;
+  if (!create(parse, fields, EntityKind::segment, e)) return false;
   for (const auto& [member, knot] : {std::pair{"from", segment.from}, std::pair{"to", segment.to}}) {
     std::uint32_t number = 0;
     const std::uint32_t expected = world::name_of(parse.document, knot).number;
-    if (!read_id(fields, member, Kind::knot, number)) return false;
+    if (!read_id(fields, member, EntityKind::knot, number)) return false;
     if (number != expected)
-      return fields.reject(member, quoted_id(Kind::knot, expected) + " (segments follow the order of the knots)");
+      return fields.reject(member, quoted_id(EntityKind::knot, expected) + " (segments follow the order of the knots)");
   }
   if (!read_component(parse, fields, segment)) return false;
   bool good = true;
@@ -326,7 +326,7 @@ bool read_section(TrackParse& parse, JsonFieldReader& fields, std::size_t& first
   Entity e;
   world::Section section;
   std::size_t count = 0;
-  if (!create(parse, fields, Kind::section, e)) return false;
+  if (!create(parse, fields, EntityKind::section, e)) return false;
   if (!read_section_members(fields, segments.size() - first, section, count)) return false;
   if (section.kind == world::SectionKind::complete && !read_component(parse, fields, section.closing)) return false;
   if (section.kind == world::SectionKind::force &&
@@ -351,7 +351,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   JsonFieldReader fields(value, {"carts", index}, parse.error);
   Entity e;
   world::Train cart;
-  if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
+  if (!create(parse, fields, EntityKind::cart, e) || !read_component(parse, fields, cart)) return false;
   if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
   return keep(parse, fields, e, cart);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/shape/derived_track.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 
 namespace coaster::sim {
 

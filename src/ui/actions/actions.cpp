@@ -21,7 +21,7 @@
 #include "exchange/own/share_link.h"
 #include "ui/actions/actions_detail.h"
 #include "ui/tools/camera_controls.h"
-#include "ui/tools/previews.h"
+#include "ui/tools/preview_placement.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/show_places.h"
 #include "world/aid_settings.h"
@@ -38,7 +38,7 @@ namespace {
 using platform::Key;
 
 constexpr ActionCondition kSectionSelected{
-    [](const ActionContext& act) { return selected_is(act, world::Kind::section); }, "Select a section first."};
+    [](const ActionContext& act) { return selected_is(act, world::EntityKind::section); }, "Select a section first."};
 
 template <ScreenRequest::Kind kind>
 void want(ActionContext& act) {
@@ -144,7 +144,7 @@ void step_section(ActionContext& act, bool on, bool adds) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::SectionRun> runs = world::sections_of(session.document);
   Entity from = session.settings.selected;
-  const bool among = selected_is(act, world::Kind::section);
+  const bool among = selected_is(act, world::EntityKind::section);
   if (!among) from = section_here(act);
   const auto at =
       std::find_if(runs.begin(), runs.end(), [&](const world::SectionRun& run) { return run.section == from; });
@@ -175,11 +175,11 @@ void for_each_section(ActionContext& act, const Make& make) {
 }
 template <class Command>
 void each(ActionContext& act) {
-  for_each_section(act, [](world::Name name) { return Command{{name}}; });
+  for_each_section(act, [](world::EntityName name) { return Command{{name}}; });
 }
 template <EquipmentKind kind>
 void equip(ActionContext& act) {
-  for_each_section(act, [](world::Name name) { return edit::EquipSection{{name}, {kind}}; });
+  for_each_section(act, [](world::EntityName name) { return edit::EquipSection{{name}, {kind}}; });
 }
 template <edit::Neighbour to>
 void move(ActionContext& act) {
@@ -198,9 +198,9 @@ void edit_values(ActionContext& act) {
   if (is<&world::Panels::workspace, world::Workspace::build>(act) && !ui.drawers.parameters.open)
     ui.drawers.parameters.toggle();
   if (ui.wish)
-    ui.wish->panel = on<&world::EditingAids::show_element>(act) ? "Elements"
-                     : selected_is(act, world::Kind::section)   ? "Section"
-                                                                : "Inspector";
+    ui.wish->panel = on<&world::EditingAids::show_element>(act)     ? "Elements"
+                     : selected_is(act, world::EntityKind::section) ? "Section"
+                                                                    : "Inspector";
 }
 
 constexpr ActionCondition kOpenTrack{[](const ActionContext& act) {
@@ -248,12 +248,12 @@ constexpr Action kPlainTrackActions[] = {
 };
 
 using world::EditingAids;
-using world::Kind;
+using world::EntityKind;
 
 constexpr ActionCondition kRemovable{
-    [](const ActionContext& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
+    [](const ActionContext& act) { return selected(act) != nullptr && !selected_is(act, EntityKind::segment); },
     "Select a knot, a section or a train first."};
-constexpr ActionCondition kKnotSelected{[](const ActionContext& act) { return selected_is(act, Kind::knot); },
+constexpr ActionCondition kKnotSelected{[](const ActionContext& act) { return selected_is(act, EntityKind::knot); },
                                         "Select a knot first."};
 constexpr ActionCondition kAnyKnots{
     [](const ActionContext& act) { return !act.ui.session().document.track.knots.empty(); }, "The track has no knots."};
@@ -267,7 +267,7 @@ constexpr ActionCondition kCanRedo{[](const ActionContext& act) { return !act.ui
 
 constexpr ActionCondition kInsertable{[](const ActionContext& act) {
                                         return act.hovered.kind == view::PickKind::curve ||
-                                               selected_is(act, Kind::segment);
+                                               selected_is(act, EntityKind::segment);
                                       },
                                       "Point at the track or select a segment first."};
 
@@ -287,7 +287,7 @@ void undo(ActionContext& act) {
 void remove(ActionContext& act) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
-  if (selected_is(act, Kind::section)) return each<edit::DeleteSection>(act);
+  if (selected_is(act, EntityKind::section)) return each<edit::DeleteSection>(act);
   if (knots.size() < 2) return act.ui.emit(edit::RemoveKnotOrTrain{{*selected(act)}});
   act.ui.emit_each(knots,
                    [&](Entity e) { act.ui.emit(edit::RemoveKnotOrTrain{{world::name_of(session.document, e)}}); });
@@ -324,7 +324,7 @@ void insert_point(ActionContext& act) {
   const edit::Session& session = act.ui.session();
   if (act.hovered.kind == view::PickKind::curve && session.document.entities.alive(act.hovered.entity))
     act.ui.emit(edit::SplitSegment{{world::name_of(session.document, act.hovered.entity)}, act.hovered.t});
-  else if (selected_is(act, Kind::segment))
+  else if (selected_is(act, EntityKind::segment))
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 
@@ -336,7 +336,7 @@ bool preview_shows(const ActionContext& act) {
 // True if a cell of the table of sections can be edited and no preview waits to be placed.
 bool has_cell(const ActionContext& act) {
   const bool shows = is<&world::Panels::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
-  return shows && act.ui.drawers.graph.open && !preview_shows(act) && selected_is(act, Kind::section);
+  return shows && act.ui.drawers.graph.open && !preview_shows(act) && selected_is(act, EntityKind::section);
 }
 // What does not fit is refused with the reason.
 constexpr ActionCondition kPlaceable{[](const ActionContext& act) { return preview_shows(act) || has_cell(act); },
@@ -422,13 +422,13 @@ constexpr Action kEditActions[] = {
 using platform::KeyChord;
 using world::CameraMode;
 
-const world::Name* selected(const ActionContext& act) {
+const world::EntityName* selected(const ActionContext& act) {
   const edit::Session& session = act.ui.session();
-  return session.document.entities.find<world::Name>(session.settings.selected);
+  return session.document.entities.find<world::EntityName>(session.settings.selected);
 }
 
-bool selected_is(const ActionContext& act, world::Kind kind) {
-  const world::Name* const name = selected(act);
+bool selected_is(const ActionContext& act, world::EntityKind kind) {
+  const world::EntityName* const name = selected(act);
   return name != nullptr && name->kind == kind;
 }
 

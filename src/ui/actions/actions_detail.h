@@ -23,10 +23,10 @@ constexpr platform::KeyChord ctrl_shift(platform::Key k) { return {k, {.shift = 
 inline constexpr platform::KeyChord kNoKey{};
 
 // The name of the active knot, segment, section or cart; null without one.
-const world::Name* selected(const ActionContext& act);
+const world::EntityName* selected(const ActionContext& act);
 inline constexpr ActionCondition kAnySelected{[](const ActionContext& act) { return selected(act) != nullptr; },
                                               "Select something first."};
-bool selected_is(const ActionContext& act, world::Kind kind);
+bool selected_is(const ActionContext& act, world::EntityKind kind);
 inline constexpr ActionCondition kRideable{[](const ActionContext& act) { return rideable(act.ui.session()); },
                                            "A ride needs a track and a train."};
 

@@ -6,7 +6,7 @@
 #include "ui/actions/actions_detail.h"
 #include "ui/actions/command_palette.h"
 #include "ui/tools/camera_controls.h"
-#include "ui/tools/previews.h"
+#include "ui/tools/preview_placement.h"
 #include "world/panel_settings.h"
 
 namespace coaster::ui {
@@ -64,8 +64,8 @@ void frame_selection(ActionContext& act) {
       act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
 }
 
-constexpr ActionCondition kProbing{[](const ActionContext& act) { return selected_is(act, world::Kind::segment); },
-                                   "Select a segment first."};
+constexpr ActionCondition kProbing{
+    [](const ActionContext& act) { return selected_is(act, world::EntityKind::segment); }, "Select a segment first."};
 // Moves along the selected segment, and at its end to the next one, if there is one.
 void step_probe(ActionContext& act, double by) {
   const edit::Session& session = act.ui.session();

@@ -24,7 +24,7 @@ struct SystemDialogRequest {
 
 // The section, channel and position at which copied force keys are pasted.
 struct ForceKeyPlace {
-  world::Name section;
+  world::EntityName section;
   world::ForceChannel channel{};
   double at = 0;  // m or s, the unit of the section's program
 };

@@ -44,7 +44,7 @@ struct ScreenRequest {
 
 // The last requested change of a section. If it is refused, the reason shows below its field.
 struct SectionChangeRequest {
-  world::Name section;
+  world::EntityName section;
   std::string parameter;
   std::uint64_t after = 0;  // number of the newest notice before the request
   bool answered = true;
@@ -53,7 +53,7 @@ struct SectionChangeRequest {
 
 // The cell of the table of sections that is being edited.
 struct EditedCell {
-  world::Name section;
+  world::EntityName section;
   std::optional<world::SectionColumn> column;  // nothing: the first editable cell of its row
   bool begins = true;                          // it does not have the keyboard yet
 };

@@ -22,7 +22,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/selected_sections.h"
 #include "ui/screens/dialogs.h"
-#include "ui/screens/overlays.h"
+#include "ui/screens/hud.h"
 #include "ui/screens/start_screen.h"
 #include "ui/tools/camera_controls.h"
 #include "ui/widgets/imgui_compat.h"

@@ -221,7 +221,7 @@ Entity selected_forces(const Ui& ui) {
 // The state of the graph; another section starts with a fresh one.
 ForceKeyEditing& state_of(Ui& ui, Entity section) {
   ForceKeyEditing& state = ui.lab.keys;
-  const world::Name name = world::name_of(ui.session().document, section);
+  const world::EntityName name = world::name_of(ui.session().document, section);
   if (state.section != name) state = {.section = name, .channel = state.channel};
   const std::vector<ForceKey>& keys = program_of(ui, section).keys(state.channel);
   if (state.key && *state.key >= keys.size()) state.key.reset();

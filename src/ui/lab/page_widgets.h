@@ -51,7 +51,7 @@ struct PlotPoints {
 // segments.
 struct Probe {
   world::Entity segment;
-  world::Name name;
+  world::EntityName name;
   const sim::SegmentShape* shape = nullptr;
   double t = 0.5;
 };
@@ -126,7 +126,7 @@ std::uint32_t row_colour(std::size_t row);
 
 struct JointRow {
   world::Entity knot;
-  world::Name name;
+  world::EntityName name;
   curve::JointContinuity joint;
   std::optional<double> step;  // g, at the fastest passage of the whole ride; nothing without one
   double jolt = 0;             // g, in the whole ride
@@ -176,7 +176,7 @@ struct ForcePlotRanges {
 
 // The edited key of a force section in the force graph, and its state during a drag.
 struct ForceKeyEditing {
-  world::Name section;  // the section that these choices belong to
+  world::EntityName section;  // the section that these choices belong to
   world::ForceChannel channel = world::ForceChannel::vertical;
   std::optional<std::size_t> key;  // selected
   std::optional<double> inserted;  // position of a new key, selected once it exists

@@ -171,7 +171,7 @@ void row_of(Ui& ui, const JointRow& row) {
 
 void side(Ui& ui, const JointList& list) {
   const edit::Session& session = ui.session();
-  const world::Name* name = session.document.entities.find<world::Name>(session.settings.selected);
+  const world::EntityName* name = session.document.entities.find<world::EntityName>(session.settings.selected);
   const auto joint = std::find_if(list.rows.begin(), list.rows.end(),
                                   [&](const JointRow& row) { return row.knot == session.settings.selected; });
   const bool mendable =

@@ -161,7 +161,8 @@ struct RideRow {
 void buttons(RideRow& row) {
   Ui& ui = row.ui;
   const bool any = rideable(ui.session()), running = ui.session().motion.state == world::RideState::running;
-  const auto control = [&](const Icon& icon, std::string_view label, std::string_view help, std::string_view action) {
+  const auto control = [&](const VectorIcon& icon, std::string_view label, std::string_view help,
+                           std::string_view action) {
     const float width = row.place(row.scaled(78));
     return icon_button(ui, icon, label, with_keys(ui.keys, help, action), any, width);
   };

@@ -21,8 +21,8 @@ namespace coaster::ui {
 namespace {
 
 using world::Entity;
-using world::Kind;
-using world::Name;
+using world::EntityKind;
+using world::EntityName;
 
 constexpr std::string_view kAxes[] = {"x", "y", "z"};
 
@@ -109,7 +109,7 @@ void jolt(Ui& ui, Entity knot) {
            found.total > sim::kJoltLimit);
 }
 
-void continuity(Ui& ui, Entity entity, Name name) {
+void continuity(Ui& ui, Entity entity, EntityName name) {
   const world::Document& document = ui.session().document;
   const world::KnotSegments at = world::neighbours(document, entity);
   if (!at.before.valid() || !at.after.valid()) {
@@ -132,7 +132,7 @@ void continuity(Ui& ui, Entity entity, Name name) {
   jolt(ui, entity);
 }
 
-void knot_inspector(Ui& ui, Entity entity, Name name) {
+void knot_inspector(Ui& ui, Entity entity, EntityName name) {
   const world::Knot& knot = world::knot(ui.session().document, entity);
   heading(
       ui, "Position (m)",
@@ -183,7 +183,7 @@ bool is_longest(const sim::DerivedTrack& derived, Entity entity) {
   return true;
 }
 
-void segment_inspector(Ui& ui, Entity entity, Name name) {
+void segment_inspector(Ui& ui, Entity entity, EntityName name) {
   const edit::Session& session = ui.session();
   const sim::SegmentShape* shape = session.derived.segments.find(entity);
   const Number place{
@@ -246,7 +246,7 @@ void cart_inspector(Ui& ui, Entity entity) {
 void inspector_panel(Ui& ui) {
   const edit::Session& session = ui.session();
   const Entity selected = session.settings.selected;
-  const Name* name = session.document.entities.find<Name>(selected);
+  const EntityName* name = session.document.entities.find<EntityName>(selected);
   if (name == nullptr) {
     heading(ui, "Nothing selected", "Click a knot, the curve or a train to select it.");
     return;
@@ -265,10 +265,10 @@ void inspector_panel(Ui& ui) {
   // Different ids for each entity: text typed in a field of one never goes to the next.
   ImGui::PushID(static_cast<int>(name->kind) * 0x1000000 + static_cast<int>(name->number));
   switch (name->kind) {
-    case Kind::knot: knot_inspector(ui, selected, *name); break;
-    case Kind::segment: segment_inspector(ui, selected, *name); break;
-    case Kind::cart: cart_inspector(ui, selected); break;
-    case Kind::section: break;
+    case EntityKind::knot: knot_inspector(ui, selected, *name); break;
+    case EntityKind::segment: segment_inspector(ui, selected, *name); break;
+    case EntityKind::cart: cart_inspector(ui, selected); break;
+    case EntityKind::section: break;
   }
   ImGui::PopID();
 }

@@ -40,7 +40,7 @@ void equipment(Ui& ui) {
                            : "Equipment on the selected segments.");
   equipment_form(ui, segments, edit::SetEquipment::kInfo.name, [&](const std::optional<world::Equipment>& to) {
     ui.emit_each(segments, [&](world::Entity e) {
-      const world::Name name = world::name_of(document, e);
+      const world::EntityName name = world::name_of(document, e);
       if (to) ui.emit(edit::SetEquipment{{name}, *to});
       else if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{name}});
     });
@@ -52,7 +52,7 @@ void train(Ui& ui) {
   const world::Entity cart = edit::chosen_cart(session);
   const world::Train* const design = session.document.entities.find<world::Train>(cart);
   if (!design) return;
-  const world::Name name = world::name_of(session.document, cart);
+  const world::EntityName name = world::name_of(session.document, cart);
   const Number cars{.value = static_cast<double>(design->cars),
                     .decimals = 0,
                     .low = 1,

@@ -18,7 +18,7 @@
 #include "sim/study/jolt.h"
 #include "ui/context/query_widgets.h"
 #include "ui/panels/element_equipment_fields.h"
-#include "ui/tools/previews.h"
+#include "ui/tools/preview_placement.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -41,7 +41,7 @@ void choose(Ui& ui, ElementKind kind, bool chosen) {
 }
 
 struct ButtonFace {
-  const Icon& icon;
+  const VectorIcon& icon;
   std::string label, help;
   bool on, enabled = true;
 };

@@ -33,8 +33,8 @@ void controls(Ui& ui) {
   const int columns = (room - 3 * gap) / 4 >= needed ? 4 : 2;
   const float width = std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns));
   int place = 0;
-  const auto control = [&](const Icon& icon, std::string_view label, std::string_view help, std::string_view action,
-                           bool enabled) {
+  const auto control = [&](const VectorIcon& icon, std::string_view label, std::string_view help,
+                           std::string_view action, bool enabled) {
     if (place++ % columns != 0) ImGui::SameLine(0, gap);
     return icon_button(ui, icon, label, with_keys(ui.keys, help, action), enabled, width);
   };

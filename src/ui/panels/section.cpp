@@ -61,7 +61,7 @@ void change_sections(Ui& ui, const SelectedSections& chosen, std::string_view pa
   });
 }
 
-void ask_change(Ui& ui, world::Name section, std::string_view parameter) {
+void ask_change(Ui& ui, world::EntityName section, std::string_view parameter) {
   ui.inputs.asked = {section, std::string(parameter), ui.session().notices.serial, false, {}};
 }
 
@@ -74,7 +74,7 @@ void take_answer(Ui& ui) {
       asked.refusal = notice.text;
 }
 
-std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view parameter) {
+std::string_view refusal_of(const Ui& ui, world::EntityName section, std::string_view parameter) {
   const SectionChangeRequest& asked = ui.inputs.asked;
   return asked.section == section && asked.parameter == parameter ? std::string_view(asked.refusal) : "";
 }
@@ -211,7 +211,7 @@ void section_buttons(Ui& ui, const SelectedSections& chosen) {
     ui.emit_each(chosen.runs, [&](const world::SectionRun& run) { ui.emit(make(chosen.name(run))); });
   };
   if (pressed("Mirror", "Swap left and right. The track that follows moves along.", "Mirror section", true))
-    each([](world::Name name) { return edit::MirrorSection{{name}}; });
+    each([](world::EntityName name) { return edit::MirrorSection{{name}}; });
   if (pressed("Join next", "Join the section with the next one. The result is hand-shaped.", "Join with next",
               chosen.single() && !last))
     ui.emit(edit::JoinSections{{chosen.name()}});
@@ -234,7 +234,7 @@ void section_buttons(Ui& ui, const SelectedSections& chosen) {
               in_a_row(chosen)))
     ui.emit(edit::MakeForceSection{edit::Sections(chosen.names())});
   if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
-    each([](world::Name name) { return edit::DeleteSection{{name}}; });
+    each([](world::EntityName name) { return edit::DeleteSection{{name}}; });
 }
 
 void section_figures_rows(Ui& ui, const SelectedSections& chosen) {

@@ -81,8 +81,10 @@ void begin_cell(Ui& ui, std::span<const SectionColumn> columns) {
 }
 
 // True if a cell of the section is being edited.
-bool cell_is_open(const Ui& ui, world::Name section) { return ui.inputs.cell && ui.inputs.cell->section == section; }
-bool cell_is_open(const Ui& ui, world::Name section, SectionColumn column) {
+bool cell_is_open(const Ui& ui, world::EntityName section) {
+  return ui.inputs.cell && ui.inputs.cell->section == section;
+}
+bool cell_is_open(const Ui& ui, world::EntityName section, SectionColumn column) {
   return cell_is_open(ui, section) && ui.inputs.cell->column == column;
 }
 
@@ -91,7 +93,7 @@ bool cell_is_open(const Ui& ui, world::Name section, SectionColumn column) {
 void row_cells(Ui& ui, const world::SectionRun& run, std::span<const SectionColumn> columns) {
   const edit::Session& session = ui.session();
   const world::Section& section = world::section(session.document, run.section);
-  const world::Name name = world::name_of(session.document, run.section);
+  const world::EntityName name = world::name_of(session.document, run.section);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!takes_typing(section, columns[i]) || !ImGui::TableSetColumnIndex(static_cast<int>(i))) continue;
     const base::NameRow& row = base::row_of(columns[i]);
@@ -278,7 +280,7 @@ void table_of_sections(Ui& ui, float height) {
   const float row_height = each_row_in_sight(order.size(), [&](std::size_t at) {
     const std::size_t row = order[at];
     const SectionFigures& of = table.rows[row];
-    const world::Name section = world::name_of(document, of.run.section);
+    const world::EntityName section = world::name_of(document, of.run.section);
     std::vector<Cell> cells;
     for (const SectionColumn column : columns) {
       cells.push_back(section_cell(ui, table_value(document, of, row, column), column));

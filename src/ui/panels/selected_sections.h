@@ -17,10 +17,10 @@ struct SelectedSections {
   std::vector<world::SectionRun> runs;  // in the track's order
   bool single() const { return runs.size() == 1; }
   const world::Section& section() const { return world::section(document, active); }
-  world::Name name() const { return world::name_of(document, active); }
-  world::Name name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
-  std::vector<world::Name> names() const {
-    std::vector<world::Name> all;
+  world::EntityName name() const { return world::name_of(document, active); }
+  world::EntityName name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
+  std::vector<world::EntityName> names() const {
+    std::vector<world::EntityName> all;
     for (const world::SectionRun& run : runs) all.push_back(name(run));
     return all;
   }
@@ -34,11 +34,11 @@ std::optional<double> planned_value(const world::Section& section, std::string_v
 void change_sections(Ui& ui, const SelectedSections& chosen, std::string_view parameter, const world::Element& to);
 
 // Records the field that requests a change, for refusal_of().
-void ask_change(Ui& ui, world::Name section, std::string_view parameter);
+void ask_change(Ui& ui, world::EntityName section, std::string_view parameter);
 // Reads the answer to the last requested change: the notice that followed it. Call it each frame, before refusal_of().
 void take_answer(Ui& ui);
 // Returns the reason if the last change was refused and was one of this parameter of this section; else "".
-std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view parameter);
+std::string_view refusal_of(const Ui& ui, world::EntityName section, std::string_view parameter);
 
 // Builds the table of sections over `area`, in Build.
 void build_sections_table(Ui& ui, const view::Viewport& area);

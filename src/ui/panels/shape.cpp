@@ -40,7 +40,7 @@ glm::vec3 middle_of(const edit::Session& session, const edit::Knots& knots) {
   glm::dvec3 sum(0);
   double count = 0;
   for (const world::Entity e : session.document.track.knots) {
-    const world::Name name = world::name_of(session.document, e);
+    const world::EntityName name = world::name_of(session.document, e);
     if (knots.which == edit::Knots::Which::named &&
         std::find(knots.names.begin(), knots.names.end(), name) == knots.names.end())
       continue;

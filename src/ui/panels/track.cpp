@@ -21,7 +21,7 @@
 namespace coaster::ui {
 namespace {
 
-using world::Kind;
+using world::EntityKind;
 
 // Returns a position where a new cart touches no other at the start of the ride: the start or middle of a segment,
 // searched from `first` on. The start of `first` if there is none.
@@ -103,9 +103,10 @@ edit::Command closing(const edit::Session& session) {
 
 void building(Ui& ui) {
   const edit::Session& session = ui.session();
-  const world::Name* selected = session.document.entities.find<world::Name>(session.settings.selected);
-  const bool on_segment = selected != nullptr && selected->kind == Kind::segment;
-  const bool removable = selected != nullptr && (selected->kind == Kind::knot || selected->kind == Kind::cart);
+  const world::EntityName* selected = session.document.entities.find<world::EntityName>(session.settings.selected);
+  const bool on_segment = selected != nullptr && selected->kind == EntityKind::segment;
+  const bool removable =
+      selected != nullptr && (selected->kind == EntityKind::knot || selected->kind == EntityKind::cart);
   const std::size_t knots = session.document.track.knots.size();
   const bool closed = session.document.track.closed;
 

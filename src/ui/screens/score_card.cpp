@@ -1,4 +1,4 @@
-#include "ui/screens/overlays.h"
+#include "ui/screens/hud.h"
 
 #include <imgui.h>
 

@@ -33,17 +33,17 @@ bool is_open(const edit::Session& session, Entity section) {
 
 }  // namespace
 
-std::vector<world::Name> names_of(const world::Document& document, const std::vector<Entity>& entities) {
-  std::vector<world::Name> names;
+std::vector<world::EntityName> names_of(const world::Document& document, const std::vector<Entity>& entities) {
+  std::vector<world::EntityName> names;
   for (const Entity e : entities) names.push_back(world::name_of(document, e));
   return names;
 }
 
 edit::Command selection_of(const world::Document& document, const std::vector<Entity>& entities) {
   if (entities.empty()) return edit::Select{};
-  const std::vector<world::Name> names = names_of(document, entities);
+  const std::vector<world::EntityName> names = names_of(document, entities);
   if (names.size() == 1) return edit::Select{{names[0]}};
-  if (names[0].kind == world::Kind::section) return edit::SelectSections{edit::Sections(names)};
+  if (names[0].kind == world::EntityKind::section) return edit::SelectSections{edit::Sections(names)};
   return edit::SelectKnots{edit::Knots(names)};
 }
 

@@ -14,7 +14,7 @@ namespace coaster::ui {
 enum class BoxMode : std::uint8_t { replace, add, remove };
 
 // Returns the names of entities, for a command.
-std::vector<world::Name> names_of(const world::Document& document, const std::vector<world::Entity>& entities);
+std::vector<world::EntityName> names_of(const world::Document& document, const std::vector<world::Entity>& entities);
 
 // Returns the command that selects these knots or sections, the last one active; without any it clears the selection.
 edit::Command selection_of(const world::Document& document, const std::vector<world::Entity>& entities);

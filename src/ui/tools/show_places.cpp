@@ -5,7 +5,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 #include "sim/study/jolt.h"
 #include "world/aid_settings.h"
 #include "world/sections.h"

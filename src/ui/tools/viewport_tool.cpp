@@ -285,7 +285,7 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   if (!drag_.gesture) ui.emit(edit::BeginGesture{});
   drag_.gesture = true;
   drag_.sent = to;
-  const world::Name name = world::name_of(document, drag_.pick.entity);
+  const world::EntityName name = world::name_of(document, drag_.pick.entity);
   if (drag_.pick.kind == PickKind::knot && world::is_selected(settings, drag_.pick.entity) && !settings.also.empty()) {
     move_knots(ui, to);
   } else if (drag_.pick.kind == PickKind::knot) {

@@ -14,8 +14,8 @@
 namespace coaster::ui {
 namespace {
 
-using Place = Icon::Place;
-using Stroke = Icon::Stroke;
+using Place = VectorIcon::Place;
+using Stroke = VectorIcon::Stroke;
 
 constexpr Stroke line(Place a, Place b) {
   return {a, {(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}, {(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3}, b};
@@ -93,21 +93,21 @@ constexpr std::array kCircuit{Stroke{{0.5f, 0.9f}, {-0.05f, 0.9f}, {-0.05f, 0.1f
 constexpr std::array kGraph{Stroke{{0.02f, 0.75f}, {0.2f, 0.75f}, {0.15f, 0.2f}, {0.35f, 0.2f}},
                             Stroke{{0.35f, 0.2f}, {0.55f, 0.2f}, {0.5f, 0.82f}, {0.7f, 0.82f}},
                             Stroke{{0.7f, 0.82f}, {0.85f, 0.82f}, {0.85f, 0.45f}, {0.98f, 0.45f}}};
-constexpr Icon::Bar kForceKeys[] = {{{0.25f, 0.1f}, {0.45f, 0.3f}}, {{0.6f, 0.72f}, {0.8f, 0.92f}}};
+constexpr VectorIcon::Bar kForceKeys[] = {{{0.25f, 0.1f}, {0.45f, 0.3f}}, {{0.6f, 0.72f}, {0.8f, 0.92f}}};
 constexpr std::array kRing{Stroke{{0.06f, 0.5f}, {0.06f, -0.09f}, {0.94f, -0.09f}, {0.94f, 0.5f}},
                            Stroke{{0.94f, 0.5f}, {0.94f, 1.09f}, {0.06f, 1.09f}, {0.06f, 0.5f}}};
 
 constexpr Place kPlayArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.94f, 0.5f}},
                 kStepArrow[] = {{0.14f, 0.06f}, {0.14f, 0.94f}, {0.7f, 0.5f}};
-constexpr Icon::Bar kDot[] = {{{0.36f, 0.36f}, {0.64f, 0.64f}}};
-constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
-                    kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}},
-                    kStopBar[] = {{{0.12f, 0.12f}, {0.88f, 0.88f}}};
+constexpr VectorIcon::Bar kDot[] = {{{0.36f, 0.36f}, {0.64f, 0.64f}}};
+constexpr VectorIcon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
+                          kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}},
+                          kStopBar[] = {{{0.12f, 0.12f}, {0.88f, 0.88f}}};
 
 // The icons of elements, by the name in their rows.
 struct ElementIcon {
   std::string_view name;
-  Icon icon;
+  VectorIcon icon;
 };
 constexpr ElementIcon kElementIcons[] = {{"straight", {kStraight}},
                                          {"curve", {kCurve}},
@@ -136,12 +136,12 @@ static_assert(std::ranges::all_of(world::kElements,
               "each element names an icon");
 
 // Draws into the square of `size` px whose top left is `low`.
-void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour) {
+void draw_icon(ImDrawList& list, const VectorIcon& icon, ImVec2 low, float size, ImU32 colour) {
   const auto at = [&](Place p) { return ImVec2(low.x + p.x * size, low.y + p.y * size); };
   const float thick = std::max(1.25f, size * 0.1f);
   for (const Stroke& s : icon.strokes) list.AddBezierCubic(at(s.p0), at(s.p1), at(s.p2), at(s.p3), colour, thick);
   if (!icon.arrow.empty()) list.AddTriangleFilled(at(icon.arrow[0]), at(icon.arrow[1]), at(icon.arrow[2]), colour);
-  for (const Icon::Bar& bar : icon.bars) list.AddRectFilled(at(bar.low), at(bar.high), colour);
+  for (const VectorIcon::Bar& bar : icon.bars) list.AddRectFilled(at(bar.low), at(bar.high), colour);
 }
 
 struct MedalColours {
@@ -168,14 +168,14 @@ void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
 
 }  // namespace
 
-const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
+const VectorIcon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
     kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kRecordIcon{kRing, {}, kDot},
     kStopIcon{{}, {}, kStopBar};
 
-const Icon& icon_of(world::ElementKind kind) { return icon_named(base::row_of(kind).icon)->icon; }
+const VectorIcon& icon_of(world::ElementKind kind) { return icon_named(base::row_of(kind).icon)->icon; }
 
-bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
-                 float width, IconPlace place) {
+bool icon_button(WidgetFrame& ui, const VectorIcon& icon, std::string_view label, std::string_view tooltip,
+                 bool enabled, float width, IconPlace place) {
   const bool above = place == IconPlace::above, alone = place == IconPlace::alone;
   const std::string_view name = shown(label);
   if (above) ImGui::PushFont(small_font());

@@ -13,7 +13,7 @@ namespace coaster::ui {
 struct WidgetFrame;
 
 // Curves, a filled triangle and filled bars in the unit square, y down.
-struct Icon {
+struct VectorIcon {
   struct Place {
     float x, y;
   };
@@ -27,14 +27,14 @@ struct Icon {
   std::span<const Place> arrow = {};  // three corners, or none
   std::span<const Bar> bars = {};
 };
-extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kRecordIcon, kStopIcon;
-const Icon& icon_of(world::ElementKind kind);  // one icon for all force elements
+extern const VectorIcon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kRecordIcon, kStopIcon;
+const VectorIcon& icon_of(world::ElementKind kind);  // one icon for all force elements
 
 // Position of a button's icon: before its label, above it with the label in the small font, or without a visible label.
 enum class IconPlace { before, above, alone };
 // Shows a button as in widgets.h with an icon. width: px; height: 34 design px alone, 36 above the label.
-bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
-                 float width, IconPlace place = IconPlace::before);
+bool icon_button(WidgetFrame& ui, const VectorIcon& icon, std::string_view label, std::string_view tooltip,
+                 bool enabled, float width, IconPlace place = IconPlace::before);
 
 // Draws a medal on its ribbon within a square of `size` px at `low`: 1 bronze, 2 silver, 3 gold. A medal not earned is
 // an outline.

@@ -77,14 +77,15 @@ TEST(codec, the_history_says_in_words_what_commands_did) {
     EXPECT_FALSE(text.starts_with(name + " ")) << text;
   }
   const world::Document document;
-  const world::Name k4{world::Kind::knot, 4}, k5{world::Kind::knot, 5};
+  const world::EntityName k4{world::EntityKind::knot, 4}, k5{world::EntityKind::knot, 5};
   EXPECT_EQ(done(MoveKnot{{k4}, {1, 2, 3}}, document), "Moved k4");
   EXPECT_EQ(done(MoveHandle{{k4, HandleEnd::in}, {1, 2, 3}}, document), "Moved the incoming handle of k4");
   EXPECT_EQ(done(SetRoll{Knots({k4, k5}), -12.5}, document), "Set the roll of 2 knots to -12.5\u00B0");
   EXPECT_EQ(done(SetJoint{k4, world::JointKind::automatic}, document), "Set the joint of k4 to automatic");
-  EXPECT_EQ(done(ChangeSection{{{world::Kind::section, 2}}, false, world::usual_element(world::ElementKind::climb)},
-                 document),
-            "Changed q2");
+  EXPECT_EQ(
+      done(ChangeSection{{{world::EntityKind::section, 2}}, false, world::usual_element(world::ElementKind::climb)},
+           document),
+      "Changed q2");
   EXPECT_EQ(done(SetClosed{true}, document), "Closed the track");
   EXPECT_EQ(done(SetClosed{false}, document), "Opened the track");
   EXPECT_EQ(done(SetTrackName{"Comet"}, document), "Named the track \"Comet\"");
@@ -95,12 +96,12 @@ TEST(codec, the_history_says_in_words_what_commands_did) {
 TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(Save{"a.json"}), "save \"a.json\"");
   EXPECT_EQ(print(Save{"a.json", {true}}), "save \"a.json\" overwrite");
-  EXPECT_EQ(print(MoveKnot{{{world::Kind::knot, 4}}, {1, 2.5f, -3}}), "move @k4 to 1 2.5 -3");
-  EXPECT_EQ(print(MoveHandle{{{world::Kind::knot, 4}, HandleEnd::in}, {1, 2, 3}}), "handle @k4.in to 1 2 3");
-  EXPECT_EQ(print(SplitSegment{{{world::Kind::segment, 3}}, 0.5}), "split @s3:0.5");
-  EXPECT_EQ(print(SetHandleLengths{{{world::Kind::knot, 1}}, 4, 6}), "lengths @k1 in 4 out 6");
+  EXPECT_EQ(print(MoveKnot{{{world::EntityKind::knot, 4}}, {1, 2.5f, -3}}), "move @k4 to 1 2.5 -3");
+  EXPECT_EQ(print(MoveHandle{{{world::EntityKind::knot, 4}, HandleEnd::in}, {1, 2, 3}}), "handle @k4.in to 1 2 3");
+  EXPECT_EQ(print(SplitSegment{{{world::EntityKind::segment, 3}}, 0.5}), "split @s3:0.5");
+  EXPECT_EQ(print(SetHandleLengths{{{world::EntityKind::knot, 1}}, 4, 6}), "lengths @k1 in 4 out 6");
   Knots two;
-  two.names = {{world::Kind::knot, 1}, {world::Kind::knot, 12}};
+  two.names = {{world::EntityKind::knot, 1}, {world::EntityKind::knot, 12}};
   EXPECT_EQ(print(Translate{two, {1, 2, 3}, true}), "translate @k1,@k12 by 1 2 3 from_start on");
   base::TextError error;
   const auto former = parsed("translate @k1,@k12 by 1 2 3 anew on", error);
@@ -117,16 +118,17 @@ TEST(codec, commands_read_as_documented) {
   range.which = Knots::Which::range;
   EXPECT_EQ(print(Smooth{range}), "smooth @k1..@k12 by chord");
   SeekGoal seek;
-  seek.goal.text = "ride.lap_time == 40 +-0.1", seek.by.text = "height", seek.of.names = {{world::Kind::section, 2}};
+  seek.goal.text = "ride.lap_time == 40 +-0.1", seek.by.text = "height",
+  seek.of.names = {{world::EntityKind::section, 2}};
   EXPECT_EQ(print(seek),
             "seek ride.lap_time == 40 +-0.1 by height of @q2 except none above -1e+05 below 1e+05 together off");
   EXPECT_EQ(print(SetSnapping{world::SnapTo::grid, 0.5, 30}), "snapping grid step 0.5 angle 30");
-  EXPECT_EQ(print(SetTrain{{{world::Kind::cart, 1}}, 3, 2.5f}), "train @c1 cars 3 spacing 2.5 length 0 mass 0");
+  EXPECT_EQ(print(SetTrain{{{world::EntityKind::cart, 1}}, 3, 2.5f}), "train @c1 cars 3 spacing 2.5 length 0 mass 0");
   EXPECT_EQ(print(SetClosed{false}), "closed off");
   EXPECT_EQ(print(SetTrackName{"a \"b\""}), R"(name "a \"b\"")");
   EXPECT_EQ(print(Select{}), "select none");
-  EXPECT_EQ(print(Select{{{world::Kind::knot, 2}}, 0.3}), "select @k2");
-  EXPECT_EQ(print(Select{{{world::Kind::segment, 2}}, 0.3}), "select @s2:0.3");
+  EXPECT_EQ(print(Select{{{world::EntityKind::knot, 2}}, 0.3}), "select @k2");
+  EXPECT_EQ(print(Select{{{world::EntityKind::segment, 2}}, 0.3}), "select @s2:0.3");
   EXPECT_EQ(print(RideStart{}), "ride.start");
 }
 

@@ -2,7 +2,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 
 namespace coaster::edit {
 namespace append_shape_test {

@@ -321,12 +321,12 @@ TEST_F(Applying, no_command_takes_a_number_that_is_not_finite) {
           if constexpr (std::is_floating_point_v<T>) spoil(value);
           else if constexpr (std::is_same_v<T, glm::vec3>) spoil(value.x), spoil(value.y), spoil(value.z);
           else if constexpr (std::is_same_v<T, world::Element>) spoil(value.values[0]);
-          else if constexpr (std::is_same_v<T, HandleTarget>) value.knot = {world::Kind::knot, 1};
+          else if constexpr (std::is_same_v<T, HandleTarget>) value.knot = {world::EntityKind::knot, 1};
           else if constexpr (std::is_same_v<T, Target>) {
-            if constexpr (requires { command.segment; }) value.name = {world::Kind::segment, 1};
-            else if constexpr (requires { command.cart; }) value.name = {world::Kind::cart, 1};
-            else if constexpr (requires { command.section; }) value.name = {world::Kind::section, 1};
-            else value.name = {world::Kind::knot, 1};
+            if constexpr (requires { command.segment; }) value.name = {world::EntityKind::segment, 1};
+            else if constexpr (requires { command.cart; }) value.name = {world::EntityKind::cart, 1};
+            else if constexpr (requires { command.section; }) value.name = {world::EntityKind::section, 1};
+            else value.name = {world::EntityKind::knot, 1};
           }
         });
         if (fields == 0) break;
@@ -409,7 +409,7 @@ TEST_F(Applying, a_drag_on_a_track_of_5000_segments_rebuilds_two) {
   good("ride.start");
   good("gesture.begin");
   for (int i = 0; i < 200; ++i) {
-    ASSERT_TRUE(apply(MoveKnot{{{world::Kind::knot, 2500}}, {18'240.0f, 5 + i * 0.01f, 3.3f}}));
+    ASSERT_TRUE(apply(MoveKnot{{{world::EntityKind::knot, 2500}}, {18'240.0f, 5 + i * 0.01f, 3.3f}}));
     ASSERT_EQ(session.derived.rebuilds, 2);
   }
   good("gesture.end");

@@ -1,4 +1,4 @@
-// Commands on the members of the document: name, start speed, datum (edit/perform/track_topology.cpp).
+// Commands on the members of the document: name, start speed, datum (edit/perform/track.cpp).
 #include <limits>
 
 #include "edit/commands/commands_document.h"

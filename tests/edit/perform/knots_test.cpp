@@ -94,7 +94,7 @@ TEST_F(ShapingKnots, turns_are_clamped) {
 }
 
 TEST_F(ShapingKnots, numbers_that_are_not_finite_are_refused) {
-  const Target k{{world::Kind::knot, 2}};
+  const Target k{{world::EntityKind::knot, 2}};
   for (const float bad : {kNan, kInf, -kInf}) {
     refused(MoveKnot{k, {1, bad, 3}}, "finite");
     refused(MoveHandle{{k.name, HandleEnd::in}, {bad, 2, 3}}, "finite");

@@ -215,13 +215,13 @@ TEST_F(Replan, equipment_stays_that_was_put_on_or_taken_off_since) {
   world::Element element = section("q2").element;
   EXPECT_EQ(world::value_of(element, "speed"), 5);
   world::set_value(element, "height", 31);
-  ASSERT_TRUE(apply(ChangeSection{{{world::Kind::section, 2}}, false, element}));
+  ASSERT_TRUE(apply(ChangeSection{{{world::EntityKind::section, 2}}, false, element}));
   for (std::size_t i = run("q2").first; i < run("q2").end(); ++i)
     ASSERT_TRUE(session.document.entities.find<world::Equipment>(session.document.track.segments[i])) << i;
   EXPECT_EQ(kind("q2").substr(0, 7), "lift 2 ") << "also what the parameters do not name";
   good("section.unequip @q2");
   world::set_value(element = section("q2").element, "height", 24);
-  ASSERT_TRUE(apply(ChangeSection{{{world::Kind::section, 2}}, false, element}));
+  ASSERT_TRUE(apply(ChangeSection{{{world::EntityKind::section, 2}}, false, element}));
   EXPECT_EQ(kind("q2").find("lift"), std::string::npos);
   good("section.change @q2 to climb height 24 equipment lift speed 6");
   EXPECT_NE(kind("q2").find("lift"), std::string::npos);

@@ -30,7 +30,7 @@ class SeekNumbers : public test::Forces {
     EXPECT_EQ(number.unknown.high, high);
   }
   world::Knot& changed(std::uint32_t name) {
-    return session.document.entities.get<world::Knot>(world::find(session.document, {world::Kind::knot, name}));
+    return session.document.entities.get<world::Knot>(world::find(session.document, {world::EntityKind::knot, name}));
   }
 };
 

@@ -12,7 +12,7 @@ namespace perform_seek_test {
 
 // "N": the height of k3 shall be N m.
 base::Result<GoalState> height_of_k3(Session& session, const std::string& goal) {
-  const world::Entity k3 = world::find(session.document, {world::Kind::knot, 3});
+  const world::Entity k3 = world::find(session.document, {world::EntityKind::knot, 3});
   if (!k3.valid()) return base::Status{base::Code::refused, "no k3"};
   const double wanted = *base::parse_double(goal), found = world::knot(session.document, k3).position.y;
   return GoalState{found, wanted, 1e-3, std::abs(found - wanted) <= 1e-3, "Height", "m"};

@@ -106,7 +106,7 @@ TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {
   good("select none");
   EXPECT_EQ(session.settings.selected, world::kNone);
   refused("select @k9", "there is no knot @k9");
-  refused(Select{{{world::Kind::segment, 2}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
+  refused(Select{{{world::EntityKind::segment, 2}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
 }
 
 TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {

@@ -34,11 +34,11 @@ class Shaping : public test::SessionTest {
   Shaping() : SessionTest(waves()) {}
   const Knot& k(int number) const {
     return world::knot(session.document,
-                       world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
+                       world::find(session.document, {world::EntityKind::knot, static_cast<std::uint32_t>(number)}));
   }
   curve::JointContinuity joint_at(int number) const {
     const auto at = world::neighbours(
-        session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
+        session.document, world::find(session.document, {world::EntityKind::knot, static_cast<std::uint32_t>(number)}));
     return curve::joint(world::cubic_of(session.document, at.before), world::cubic_of(session.document, at.after));
   }
 };
@@ -115,7 +115,7 @@ TEST_F(Shaping, radius_is_what_was_asked_for_on_both_sides) {
   good("radius @k3,@k4,@k6 to 17.5");
   for (const int i : {3, 4, 6}) {
     const auto at = world::neighbours(
-        session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(i)}));
+        session.document, world::find(session.document, {world::EntityKind::knot, static_cast<std::uint32_t>(i)}));
     EXPECT_NEAR(1 / curve::curvature(world::cubic_of(session.document, at.before), 1), 17.5, 1e-3) << i;
     EXPECT_NEAR(1 / curve::curvature(world::cubic_of(session.document, at.after), 0), 17.5, 1e-3) << i;
   }

@@ -1,4 +1,4 @@
-// Tests reversing, duplicating and closing track (edit/perform/track_topology.cpp).
+// Tests reversing, duplicating and closing track (edit/perform/track.cpp).
 #include <cmath>
 
 #include <gtest/gtest.h>

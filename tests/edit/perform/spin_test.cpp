@@ -59,7 +59,7 @@ TEST_F(Spins, spin_sets_the_rate_in_degrees_per_metre) {
   EXPECT_EQ(knot(3).spin_kind, SpinKind::set);
   clamped("spin @k3 to 1e9", "limit");
   EXPECT_EQ(spin(2), world::kMaxSpin);
-  refused(SetSpin{{{world::Kind::knot, 3}}, NAN}, "finite");
+  refused(SetSpin{{{world::EntityKind::knot, 3}}, NAN}, "finite");
   good("undo");
   good("undo");
   EXPECT_EQ(session.document, rolling());

@@ -6,7 +6,7 @@
 #include "edit/session_fixture.h"
 #include "sim/plan/element_plan.h"
 #include "sim/shape/frame_methods.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 #include "sim/solids/supports.h"
 #include "sim/study/colour_values.h"
 #include "sim/study/jolt.h"

@@ -61,7 +61,7 @@ TEST(track_parse, a_file_written_by_hand_becomes_a_document) {
   const world::Document& d = loaded->document;
   EXPECT_EQ(world::broken_invariant(d), std::nullopt);
   EXPECT_TRUE(loaded->warnings.empty());
-  const world::Knot& first = world::knot(d, world::find(d, {world::Kind::knot, 7}));
+  const world::Knot& first = world::knot(d, world::find(d, {world::EntityKind::knot, 7}));
   EXPECT_EQ(first.tangent, glm::vec3(1, 0, 0));
   EXPECT_EQ(first.up, glm::vec3(0, 1, 0));
   EXPECT_EQ(d.last_number, (std::array<std::uint32_t, 4>{7, 4, 3, 1}));

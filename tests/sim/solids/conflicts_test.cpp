@@ -10,7 +10,7 @@
 #include "base/files.h"
 #include "exchange/formats.h"
 #include "sim/solids/clearance.h"
-#include "sim/solids/conflict.h"
+#include "sim/solids/conflict_types.h"
 #include "sim/tracks.h"
 #include "world/topology.h"
 

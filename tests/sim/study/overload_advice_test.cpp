@@ -31,7 +31,7 @@ struct Edited {
     return red_spans(*edit::rides_of(session).ride(session.document, session.derived, cart), default_envelope());
   }
   void move(world::Entity knot, glm::vec3 by) {
-    const world::Name name = world::name_of(session.document, knot);
+    const world::EntityName name = world::name_of(session.document, knot);
     ASSERT_TRUE(
         edit::apply(session, files, edit::MoveKnot{{name}, world::knot(session.document, knot).position + by}).ok());
   }

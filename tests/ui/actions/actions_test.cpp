@@ -87,7 +87,7 @@ TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
 
 TEST_F(ActionsTest, undo_and_both_redo_keys) {
   const auto before = world::hash(session_.document);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   key(platform::Key::del);
   const auto after = world::hash(session_.document);
   ASSERT_NE(after, before);
@@ -107,7 +107,7 @@ TEST_F(ActionsTest, a_key_that_cannot_work_says_what_it_needs) {
     key(chord);
     EXPECT_EQ(host_->toast(), needed);
   }
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   key(platform::Key::g);
   EXPECT_NE(host_->toast(), "Select a knot first.");
 }
@@ -130,7 +130,7 @@ TEST_F(ActionsTest, nothing_is_appended_to_a_closed_track_and_each_way_to_do_it_
 }
 
 TEST_F(ActionsTest, escape_closes_a_list_then_leaves_append_mode_then_deselects) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   key(platform::Key::a);
   click("Evaluation/Arc length");
   ASSERT_TRUE(host_->wants_keyboard());

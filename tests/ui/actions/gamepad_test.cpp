@@ -142,7 +142,7 @@ TEST_F(gamepad, buttons_play_change_the_camera_and_reset) {
   EXPECT_EQ(session_.motion.state, world::RideState::running) << "letting go does nothing";
   frame({GamepadButton{PadButton::y, true}});
   EXPECT_EQ(settings().camera_mode, world::CameraMode::ride);
-  select(world::Kind::knot, 1);
+  select(world::EntityKind::knot, 1);
   frame({GamepadButton{PadButton::b, true}});
   EXPECT_FALSE(settings().selected.valid()) << "cancel comes first";
   EXPECT_EQ(session_.motion.state, world::RideState::running);

@@ -514,7 +514,7 @@ TEST_F(AllWidgetsTest, rows_of_a_panel_are_aligned) {
 TEST_F(AllWidgetsTest, pages_of_the_laboratory_begin_at_one_edge) {
   set<&world::Panels::workspace>(Workspace::laboratory);
   set<&world::Panels::show_laboratory>(true);
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   std::map<std::string, float> edges;
   for (std::size_t page = 0; page < std::size(world::kLabPages); ++page) {
     if (static_cast<world::LabPage>(page) == world::LabPage::errata) continue;  // a table

@@ -94,9 +94,9 @@ TEST_F(AreasTest, widgets_of_every_workspace_keep_apart_and_off_the_view_at_ever
       const std::string where =
           std::string(base::name_of(one)) + " at " + std::to_string(width) + " times " + std::to_string(scale);
       expect_orderly(where);
-      select(world::Kind::knot, 2);
+      select(world::EntityKind::knot, 2);
       expect_orderly(where + " with a knot");
-      select(world::Kind::section, 1);
+      select(world::EntityKind::section, 1);
       expect_orderly(where + " with a section");
       set<&world::EditingAids::show_element>(true);
       expect_orderly(where + " with an element");
@@ -134,11 +134,11 @@ TEST_F(AreasTest, no_button_is_too_narrow_for_its_label) {
                                 std::to_string(scale) + " with ";
       good(edit::Select{});
       check(where + "nothing");
-      select(world::Kind::knot, 2);
+      select(world::EntityKind::knot, 2);
       if (one == Workspace::build && find("Shape/Smooth") == nullptr) click("Shape");
       check(where + "a knot");
       for (const std::uint32_t number : {1u, 2u, 3u}) {
-        select(world::Kind::section, number);
+        select(world::EntityKind::section, number);
         check(where + "section " + std::to_string(number));
       }
       set<&world::EditingAids::show_element>(true);
@@ -209,11 +209,11 @@ TEST_F(AreasTest, the_palette_stays_where_it_is_whatever_is_selected) {
     EXPECT_EQ(host_->view().viewport.width, scene.width);
     EXPECT_EQ(host_->view().viewport.height, scene.height);
   };
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   EXPECT_NE(find("Inspector/Roll"), nullptr);
   EXPECT_EQ(find("Track"), nullptr);
   expect_still();
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   expect_still();
   click("Elements/Loop");
   frames(2);

@@ -62,7 +62,7 @@ struct CutText : Stage {
   void SetUp() override {
     Stage::SetUp();
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
-    good(edit::SetSectionTitle{{{world::Kind::section, 2}}, name});
+    good(edit::SetSectionTitle{{{world::EntityKind::section, 2}}, name});
     good(edit::SetTrackName{name});
     good(edit::Save{(scratch.path() / (name + ".json")).string()});
     good(edit::SetStartSpeed{18});
@@ -79,7 +79,7 @@ TEST_F(CutText, no_letter_is_cut_in_any_workspace) {
       const std::string where = std::string(base::name_of(workspace)) + " at " + std::to_string(width);
       EXPECT_EQ(cut(), 0) << where;
       EXPECT_NE(find("Menu/Unsaved"), nullptr) << "shortened, not left out, " << where;
-      select(world::Kind::section, 2);
+      select(world::EntityKind::section, 2);
       EXPECT_EQ(cut(), 0) << where << " with a section";
       good(edit::Select{});
     }

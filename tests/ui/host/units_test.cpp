@@ -46,10 +46,10 @@ struct UnitsTest : Stage {
       const Widget* const header = find(std::string(panel.name));
       if (header != nullptr && header->value == "closed") click(std::string(panel.name));
     }
-    for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u},
-                                       {world::Kind::segment, 1u},
-                                       {world::Kind::cart, 1u},
-                                       {world::Kind::section, 1u}}) {
+    for (const auto& [kind, number] : {std::pair{world::EntityKind::knot, 2u},
+                                       {world::EntityKind::segment, 1u},
+                                       {world::EntityKind::cart, 1u},
+                                       {world::EntityKind::section, 1u}}) {
       select(kind, number);
       add_metric(found);
     }
@@ -92,7 +92,7 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
 
 TEST_F(UnitsTest, a_number_is_typed_in_the_shown_unit_or_in_any) {
   show_in(base::UnitSystem::feet);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const std::pair<const char*, float> cases[]{{"33", 10.0584f}, {"10 m", 10.0f}, {"1 ft + 12 in", 0.6096f}};
   for (const auto& [typed, metres] : cases) {
     commands_.clear();
@@ -111,7 +111,7 @@ TEST_F(UnitsTest, a_number_is_typed_in_the_shown_unit_or_in_any) {
 
 TEST_F(UnitsTest, a_typed_move_counts_in_the_shown_unit) {
   show_in(base::UnitSystem::feet);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const float height = knot(2).position.y;
   hover(empty_ground());
   key(platform::Key::g);
@@ -124,7 +124,7 @@ TEST_F(UnitsTest, a_typed_move_counts_in_the_shown_unit) {
 
 TEST_F(UnitsTest, limits_hold_in_every_unit_without_a_notice) {
   show_in(base::UnitSystem::feet);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   type("Inspector/Position/x", "100000 m");
   frame();
   EXPECT_EQ(knot(2).position.x, world::kMaxCoordinate);
@@ -138,8 +138,8 @@ TEST_F(UnitsTest, limits_hold_in_every_unit_without_a_notice) {
 TEST_F(UnitsTest, the_cursor_of_a_plot_is_in_the_shown_unit_and_moves_in_round_steps_of_it) {
   set<&world::Panels::show_laboratory>(true);
   set<&world::LabView::page>(world::LabPage::frames);
-  select(world::Kind::segment, 1);
-  const curve::ArcLengthMap& arc = session_.derived.shape(entity(world::Kind::segment, 1)).arc;
+  select(world::EntityKind::segment, 1);
+  const curve::ArcLengthMap& arc = session_.derived.shape(entity(world::EntityKind::segment, 1)).arc;
   const auto shown = [&] {
     const Widget* const plot = find("Laboratory/Curvature plot");
     return plot != nullptr ? std::strtod(plot->value.c_str(), nullptr) : -1;

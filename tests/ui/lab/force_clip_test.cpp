@@ -22,9 +22,9 @@ class ForceClipTest : public SectionsStage {
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
     good(edit::AddForceSection{world::ForceDomain::distance, 40, 0.1});
     for (const double at : {5.0, 20.0})
-      good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
+      good(edit::SetForceKey{{{world::EntityKind::section, 2}}, false, ForceChannel::vertical, 1, at});
     good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
-    good(edit::Select{{{world::Kind::section, 2}}});
+    good(edit::Select{{{world::EntityKind::section, 2}}});
     frames(3);
     commands_.clear();
   }

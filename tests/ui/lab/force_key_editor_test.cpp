@@ -21,7 +21,7 @@ class ForceKeysTest : public SectionsStage {
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
     good(edit::AddForceSection{world::ForceDomain::distance, 40, 0.1});
     good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
-    good(edit::Select{{{world::Kind::section, 2}}});
+    good(edit::Select{{{world::EntityKind::section, 2}}});
     frames(3);
     commands_.clear();
   }
@@ -77,7 +77,7 @@ TEST_F(ForceKeysTest, the_table_opens_and_the_graph_folds_over_the_edited_sectio
 }
 
 TEST_F(ForceKeysTest, a_drag_bends_the_track_in_each_of_its_frames_and_is_one_step) {
-  good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, 20});
+  good(edit::SetForceKey{{{world::EntityKind::section, 2}}, false, ForceChannel::vertical, 1, 20});
   frames(3);
   const std::size_t before = steps();
   const glm::vec2 from = knob(1), to = from + glm::vec2(-60, -30);
@@ -105,7 +105,7 @@ TEST_F(ForceKeysTest, a_drag_bends_the_track_in_each_of_its_frames_and_is_one_st
 }
 
 TEST_F(ForceKeysTest, a_drag_that_is_undone_moves_nothing_more) {
-  good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, 20});
+  good(edit::SetForceKey{{{world::EntityKind::section, 2}}, false, ForceChannel::vertical, 1, 20});
   frames(3);
   const std::size_t before = steps();
   const glm::vec2 from = knob(1);
@@ -131,7 +131,7 @@ TEST_F(ForceKeysTest, a_drag_that_is_undone_moves_nothing_more) {
 }
 
 TEST_F(ForceKeysTest, keys_of_curvature_snap_to_thousandths) {
-  good(edit::SetForceQuantity{{{world::Kind::section, 2}}, world::ForceQuantity::curvature});
+  good(edit::SetForceQuantity{{{world::EntityKind::section, 2}}, world::ForceQuantity::curvature});
   const std::size_t there = keys().size();
   frames(3);
   double_click_at(in_plot(0.52f, 0.62f));
@@ -144,7 +144,7 @@ TEST_F(ForceKeysTest, keys_of_curvature_snap_to_thousandths) {
 
 TEST_F(ForceKeysTest, a_handle_of_the_chosen_key_shapes_the_curve) {
   for (const double at : {10.0, 20.0, 30.0})
-    good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
+    good(edit::SetForceKey{{{world::EntityKind::section, 2}}, false, ForceChannel::vertical, 1, at});
   frames(3);
   click_at(knob(2));
   frames(2);
@@ -164,7 +164,7 @@ TEST_F(ForceKeysTest, a_handle_of_the_chosen_key_shapes_the_curve) {
 
 TEST_F(ForceKeysTest, the_keyboard_chooses_moves_inserts_and_deletes) {
   for (const double at : {10.0, 30.0})
-    good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
+    good(edit::SetForceKey{{{world::EntityKind::section, 2}}, false, ForceChannel::vertical, 1, at});
   frames(2);
   key(Key::tab);
   EXPECT_TRUE(session_.settings.panels->show_panels);
@@ -199,7 +199,7 @@ TEST_F(ForceKeysTest, each_channel_has_its_keys) {
   click("Forces/Keys/Roll");
   frames(2);
   EXPECT_EQ(find("Forces/Plot/Knob 1"), nullptr);
-  good(edit::Select{{{world::Kind::section, 1}}});
+  good(edit::Select{{{world::EntityKind::section, 1}}});
   frames(2);
   EXPECT_EQ(find("Forces/Keys/Roll"), nullptr) << "other sections show the whole ride";
   EXPECT_NE(find("Forces/Vertical g"), nullptr);

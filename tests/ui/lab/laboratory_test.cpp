@@ -71,7 +71,7 @@ TEST_F(LaboratoryTest, every_page_draws_for_every_selection_with_paths_of_its_ow
   for (const std::string& page : pages()) {
     open(page);
     for (const auto& [kind, number] :
-         {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::cart, 1u}}) {
+         {std::pair{world::EntityKind::knot, 2u}, {world::EntityKind::segment, 1u}, {world::EntityKind::cart, 1u}}) {
       select(kind, number);
       std::set<std::string> paths;
       std::size_t inside = 0;
@@ -111,7 +111,7 @@ TEST_F(LaboratoryTest, pages_lie_in_the_strip_in_every_window_and_nothing_is_cut
 TEST_F(LaboratoryTest, no_number_is_cut_in_a_small_window_at_a_large_scale) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   for (const float scale : {1.0f, 1.5f}) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}).ok());
     for (std::size_t page = 0; page < pages().size(); ++page) {
@@ -202,7 +202,7 @@ TEST_F(LaboratoryTest, every_plot_can_be_reached_in_a_small_window_at_a_large_sc
 }
 
 TEST_F(LaboratoryTest, dragging_in_a_plot_moves_the_probe_and_weights_follow) {
-  select(world::Kind::segment, 2);
+  select(world::EntityKind::segment, 2);
   open("Weights");
   const Widget plot = *find("Laboratory/Weights plot");
   EXPECT_EQ(plot.kind, "plot");
@@ -218,7 +218,7 @@ TEST_F(LaboratoryTest, dragging_in_a_plot_moves_the_probe_and_weights_follow) {
 }
 
 TEST_F(LaboratoryTest, weights_of_every_degree_are_written_and_of_a_cubic_with_their_points) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 1}}, 0.31}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::EntityKind::segment, 1}}, 0.31}).ok());
   resize(1280, 1080);
   open("Weights");
   for (int degree = 1; degree <= 8; ++degree) {
@@ -245,10 +245,10 @@ TEST_F(LaboratoryTest, weights_of_every_degree_are_written_and_of_a_cubic_with_t
 }
 
 TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 1}}, 0.3}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::EntityKind::segment, 1}}, 0.3}).ok());
   open("Construction");
   const glm::dvec3 exact =
-      curve::point_long_double(world::cubic_of(session_.document, entity(world::Kind::segment, 1)), 0.3);
+      curve::point_long_double(world::cubic_of(session_.document, entity(world::EntityKind::segment, 1)), 0.3);
   const Widget* shown = find("Laboratory/B(t)");
   ASSERT_NE(shown, nullptr);
   EXPECT_EQ(shown->value, fixed(exact.x, 3) + " " + fixed(exact.y, 3) + " " + fixed(exact.z, 3) + " m");
@@ -257,7 +257,7 @@ TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {
 TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
   int asked = 0;
   session_.measuring.clock = [&] { return ++asked * 1e-3; };
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   open("Lengths");
   frames(3);
   EXPECT_GT(asked, 0);
@@ -269,13 +269,13 @@ TEST_F(LaboratoryTest, a_still_frame_measures_nothing_again) {
 }
 
 TEST_F(LaboratoryTest, a_row_of_the_joints_selects_its_knot_and_the_button_mends_it) {
-  const edit::Target second{{world::Kind::knot, 2}};
+  const edit::Target second{{world::EntityKind::knot, 2}};
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{second, world::JointKind::aligned}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetHandleLengths{second, 2.1f, 9.7f}).ok());  // unequal curvature
   open("Joints");
   click("Laboratory/Joint k2");
   ASSERT_EQ(all<edit::Select>().size(), 1u);
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
   frames(2);
   ASSERT_TRUE(find("Laboratory/Make G2")->enabled);
   click("Laboratory/Make G2");
@@ -288,7 +288,7 @@ TEST_F(LaboratoryTest, joints_are_listed_by_their_jolts_though_the_train_stands)
   for (const glm::vec3 place : {glm::vec3(-11, 31, 3), {1, 30, 3}, {40, 3, 3}, {90, 4, 3}, {140, 5, 3}})
     ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{place}).ok());
   const auto lengths = [&](std::uint32_t knot, float in, float out) {
-    const edit::Target target{{world::Kind::knot, knot}};
+    const edit::Target target{{world::EntityKind::knot, knot}};
     ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{target, world::JointKind::aligned}).ok());
     ASSERT_TRUE(edit::apply(session_, files_, edit::SetHandleLengths{target, in, out}).ok());
   };

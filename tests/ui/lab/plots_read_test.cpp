@@ -149,7 +149,7 @@ struct PlotsReadTest : Stage {
     dvec3 first, second, third;
   };
   Derivatives derivatives(double t) const {
-    const curve::Cubic c = world::cubic_of(session_.document, entity(world::Kind::segment, 2));
+    const curve::Cubic c = world::cubic_of(session_.document, entity(world::EntityKind::segment, 2));
     const dvec3 a = dvec3(c.p1) - dvec3(c.p0), b = dvec3(c.p2) - dvec3(c.p1), d = dvec3(c.p3) - dvec3(c.p2);
     const double u = 1 - t;
     return {3.0 * (u * u * a + 2 * u * t * b + t * t * d), 6.0 * (u * (b - a) + t * (d - b)), 6.0 * (d - 2.0 * b + a)};
@@ -168,7 +168,7 @@ struct PlotsReadTest : Stage {
 };
 
 TEST_F(PlotsReadTest, weights_are_the_bernstein_polynomials) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 2}}, 0.3}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::EntityKind::segment, 2}}, 0.3}).ok());
   open(world::LabPage::weights);
   constexpr double kChoose[] = {1, 3, 3, 1};
   const Read plot = read("Laboratory/Weights plot");
@@ -179,10 +179,10 @@ TEST_F(PlotsReadTest, weights_are_the_bernstein_polynomials) {
 }
 
 TEST_F(PlotsReadTest, curvature_and_torsion_are_those_of_the_control_points) {
-  select(world::Kind::segment, 2);
+  select(world::EntityKind::segment, 2);
   open(world::LabPage::frames);
   const auto t = parameter();
-  const double length = session_.derived.shape(entity(world::Kind::segment, 2)).arc.length();
+  const double length = session_.derived.shape(entity(world::EntityKind::segment, 2)).arc.length();
   expect_graph(
       read("Laboratory/Curvature plot"), row_colour(0), 0, length,
       [&](double s) {
@@ -201,7 +201,7 @@ TEST_F(PlotsReadTest, curvature_and_torsion_are_those_of_the_control_points) {
 }
 
 TEST_F(PlotsReadTest, the_hodograph_page_shows_the_speed_over_t) {
-  select(world::Kind::segment, 2);
+  select(world::EntityKind::segment, 2);
   open(world::LabPage::hodograph);
   expect_graph(
       read("Laboratory/Speed plot"), kCurveColour, 0, 1, [&](double t) { return glm::length(derivatives(t).first); },

@@ -53,7 +53,7 @@ TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
   key(platform::Key::enter);
   frames(2);
   EXPECT_NE(host_->toast().find("Choose an element first."), std::string::npos) << host_->toast();
-  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 3}}, {3.9f, 240, -2.3f}}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::EntityKind::knot, 3}}, {3.9f, 240, -2.3f}}).ok());
   click("Elements/Curve");
   frames(2);
   const std::size_t before = knots();
@@ -65,7 +65,7 @@ TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
 }
 
 TEST_F(PanelElementsTest, enter_without_a_closing_section_says_why) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {-17, 240, 7}}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::EntityKind::knot, 1}}, {-17, 240, 7}}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::EditingAids::circuit>{1}).ok());
   frames(3);
   ASSERT_EQ(find("Elements/Place proposal"), nullptr);

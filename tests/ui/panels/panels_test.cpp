@@ -36,7 +36,7 @@ TEST_F(PanelsTest, the_parameters_begin_with_what_was_just_chosen) {
     const Widget* const widget = find(path);
     return widget != nullptr && widget->visible;
   };
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   frames(3);
   scroll_down();
   ASSERT_FALSE(in_sight("Inspector/Selected")) << "it is scrolled away";
@@ -50,10 +50,10 @@ TEST_F(PanelsTest, the_parameters_begin_with_what_was_just_chosen) {
   EXPECT_TRUE(in_sight("Elements"));
   key(platform::Key::escape);
   key(platform::Key::escape);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   frames(3);
   scroll_down();
-  select(world::Kind::section, 1);
+  select(world::EntityKind::section, 1);
   frames(3);
   EXPECT_TRUE(in_sight("Section/Title"));
   scroll_down();
@@ -86,9 +86,9 @@ TEST_F(PanelsTest, panels_are_in_the_order_of_what_was_chosen) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}));
   EXPECT_EQ(first("Challenge"), 0);
   EXPECT_LT(first("Track"), count()) << "shows, below";
-  for (const auto& [kind, number, panel] : {std::tuple{world::Kind::knot, 2u, "Inspector"},
-                                            {world::Kind::segment, 1u, "Inspector"},
-                                            {world::Kind::section, 1u, "Section"}}) {
+  for (const auto& [kind, number, panel] : {std::tuple{world::EntityKind::knot, 2u, "Inspector"},
+                                            {world::EntityKind::segment, 1u, "Inspector"},
+                                            {world::EntityKind::section, 1u, "Section"}}) {
     select(kind, number);
     EXPECT_EQ(first(panel), 0) << panel << " of " << number;
     EXPECT_TRUE(first("Challenge") > 0) << panel;
@@ -104,10 +104,10 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
   edit::ActiveChallenge& challenge = session_.game.challenge.emplace();  // whose panel is there for it alone
   challenge.file.name = "Three", challenge.file.teaches = "How to count.";
   challenge.file.rules[0] = {{"knots <= 3", "Three knots"}};
-  for (const auto& [kind, number] : {std::pair{world::Kind::knot, 2u},
-                                     {world::Kind::segment, 1u},
-                                     {world::Kind::cart, 1u},
-                                     {world::Kind::section, 1u}}) {
+  for (const auto& [kind, number] : {std::pair{world::EntityKind::knot, 2u},
+                                     {world::EntityKind::segment, 1u},
+                                     {world::EntityKind::cart, 1u},
+                                     {world::EntityKind::section, 1u}}) {
     select(kind, number);
     std::set<std::string> paths;
     for (const Widget& widget : host_->widgets()) {
@@ -116,7 +116,7 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
     }
     for (const Panel& panel : panels()) {
       const std::string start = std::string(panel.name) + "/";
-      if (panel.name == "Section" && kind != world::Kind::section) {
+      if (panel.name == "Section" && kind != world::EntityKind::section) {
         EXPECT_FALSE(paths.contains("Section")) << "it is there for a section alone";
         continue;
       }
@@ -129,7 +129,7 @@ TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
 }
 
 TEST_F(PanelsTest, labels_that_scripts_use_are_there) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   for (const char* path : {"Track/Name",
                            "Track/Closed",
                            "Track/Add curve",
@@ -182,7 +182,7 @@ TEST_F(PanelsTest, labels_that_scripts_use_are_there) {
 
 TEST_F(PanelsTest, every_widget_can_be_scrolled_to_in_a_small_window_and_lies_in_a_column) {
   resize(640, 360);
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   std::vector<std::string> paths;
   for (const Widget& widget : host_->widgets()) paths.push_back(widget.path);
   for (const std::string& path : paths) {
@@ -199,7 +199,7 @@ TEST_F(PanelsTest, every_widget_can_be_scrolled_to_in_a_small_window_and_lies_in
 }
 
 TEST_F(PanelsTest, the_same_frame_again_asks_for_nothing) {
-  select(world::Kind::segment, 2);
+  select(world::EntityKind::segment, 2);
   commands_.clear();
   frames(5);
   EXPECT_TRUE(commands_.empty()) << commands_.size();
@@ -250,7 +250,7 @@ TEST_F(PanelsTest, the_hint_button_tells_how_many_are_left) {
 TEST_F(PanelsTest, insert_point_needs_a_segment_and_splits_it_at_the_picked_place) {
   frames(2);
   EXPECT_FALSE(find("Track/Insert point")->enabled);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 2}}, 0.37}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::EntityKind::segment, 2}}, 0.37}).ok());
   click("Track/Insert point");
   ASSERT_EQ(all<edit::SplitSegment>().size(), 1u);
   EXPECT_EQ(all<edit::SplitSegment>()[0].at, 0.37);

@@ -26,7 +26,7 @@ TEST_F(PanelRideTest, wheels_of_a_train_at_rest_on_the_flat_carry_a_quarter_of_i
   EXPECT_EQ(loads(kRows[0]), "no row");
   for (const glm::vec3 place : {glm::vec3(0, 4, 0), glm::vec3(30, 4, 0)})
     ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{place}).ok());
-  const world::Name train = world::name_of(session_.document, world::first_cart(session_.document));
+  const world::EntityName train = world::name_of(session_.document, world::first_cart(session_.document));
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetTrain{{train}, 1, 0, 0, 2000}).ok());
   for (const char* const row : kRows) {
     EXPECT_EQ(loads(row), "4.9 0.0 0.0");

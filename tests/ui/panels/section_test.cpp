@@ -11,8 +11,8 @@ using platform::Key;
 
 struct SectionPanel : SectionsStage {
   void choose(std::initializer_list<std::uint32_t> numbers) {
-    std::vector<world::Name> names;
-    for (const std::uint32_t number : numbers) names.push_back({world::Kind::section, number});
+    std::vector<world::EntityName> names;
+    for (const std::uint32_t number : numbers) names.push_back({world::EntityKind::section, number});
     good(edit::SelectSections{edit::Sections(names)});
     frames(2);
   }
@@ -195,10 +195,10 @@ TEST_F(SectionPanel, behind_the_last_section_is_the_first_of_a_closed_track_and_
 }
 
 TEST_F(SectionPanel, a_segment_and_knots_get_equipment_in_one_click_too) {
-  select(world::Kind::segment, 2);
+  select(world::EntityKind::segment, 2);
   click("Operation/Equipment/Launch");
-  EXPECT_TRUE(session_.document.entities.find<world::Equipment>(entity(world::Kind::segment, 2)));
-  std::vector<world::Name> names;
+  EXPECT_TRUE(session_.document.entities.find<world::Equipment>(entity(world::EntityKind::segment, 2)));
+  std::vector<world::EntityName> names;
   for (std::size_t i = run(3).first; i <= run(3).end(); ++i)
     names.push_back(world::name_of(session_.document, session_.document.track.knots[i]));
   good(edit::SelectKnots{edit::Knots(names)});

@@ -90,7 +90,7 @@ TEST_F(SectionsTable, a_heading_sorts_and_a_second_click_turns_the_order) {
   EXPECT_EQ(find("Sections/Table/Length")->value, "descending");
   // It follows a change of what it shows.
   good(edit::ChangeSection{
-      {{world::Kind::section, 1}}, false, {world::ElementKind::straight, false, {500, 0, 0, 4, 3}}});
+      {{world::EntityKind::section, 1}}, false, {world::ElementKind::straight, false, {500, 0, 0, 4, 3}}});
   frames(2);
   EXPECT_EQ(rows().front(), "q1");
   click("Sections/Table/Kind");
@@ -202,7 +202,7 @@ TEST_F(SectionsTable, a_refused_number_is_told_in_words) {
   EXPECT_NE(host_->toast().find("300"), std::string::npos) << host_->toast();
   // A row without parameters gives a notice.
   edit::Knots knots;
-  knots.names = {{world::Kind::knot, 1}, {world::Kind::knot, 2}};
+  knots.names = {{world::EntityKind::knot, 1}, {world::EntityKind::knot, 2}};
   good(edit::MakeSection{knots});
   frames(2);
   key(Key::enter);

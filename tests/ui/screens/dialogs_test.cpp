@@ -79,7 +79,7 @@ TEST_F(DialogsTest, an_answer_closes_the_dialog_in_the_same_frame) {
 
 TEST_F(DialogsTest, saving_first_quits_only_when_it_was_saved) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
-  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {1, 2, 3}}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::EntityKind::knot, 1}}, {1, 2, 3}}));
   files_.inject(base::IoOperation::rename, 1);
   frame({platform::CloseRequest{}});
   frames(2);
@@ -387,7 +387,7 @@ TEST_F(ImportTest, far_rows_are_offered_at_the_origin_alone) {
 
 TEST_F(ImportTest, unsaved_changes_are_asked_about_first) {
   key(Key::escape);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {1, 2, 3}}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::EntityKind::knot, 1}}, {1, 2, 3}}));
   drop();
   EXPECT_EQ(find("Import points/Import"), nullptr);
   click("Unsaved changes/Discard");

@@ -4,7 +4,7 @@
 
 #include "edit/commands/set_setting.h"
 #include "ui/actions/actions.h"
-#include "ui/screens/overlays.h"
+#include "ui/screens/hud.h"
 #include "ui/stage.h"
 #include "world/aid_settings.h"
 #include "world/panel_settings.h"

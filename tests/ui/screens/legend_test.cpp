@@ -1,4 +1,4 @@
-// The legend of the track's colours (ui/screens/overlays.h).
+// The legend of the track's colours (ui/screens/hud.h).
 #include <imgui.h>
 
 #include "edit/commands/commands_lab.h"

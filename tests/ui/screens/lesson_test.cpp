@@ -1,5 +1,5 @@
-// Cards and rings of lessons (ui/screens/overlays.h).
-#include "ui/screens/overlays.h"
+// Cards and rings of lessons (ui/screens/hud.h).
+#include "ui/screens/hud.h"
 
 #include <imgui.h>
 

@@ -106,7 +106,7 @@ TEST_F(ScoreCardTest, notices_and_the_hint_of_a_transform_are_above_the_card) {
   resize(1280, 720);
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetLosses{0.5f, 0}));
   end_a_ride();
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   key(platform::Key::g);
   edit::notify(session_, edit::NoticeKind::warning, std::string(200, 'w') + " on several lines");
   frames(3);

@@ -1,5 +1,5 @@
-// Notices (ui/screens/overlays.h).
-#include "ui/screens/overlays.h"
+// Notices (ui/screens/hud.h).
+#include "ui/screens/hud.h"
 
 #include <imgui.h>
 

@@ -51,7 +51,7 @@ TEST_F(CursorPlacesTest, knots_stand_above_the_ground_in_every_view) {
 }
 
 TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_drag_moves_the_knots) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const view::View v = host_->view();
   const auto gizmo = view::gizmo_of(session_.document, session_.settings, v);
   ASSERT_TRUE(gizmo);
@@ -60,15 +60,15 @@ TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_
   ASSERT_TRUE(pixel);
   const std::size_t knots = session_.document.track.knots.size();
   click_at(glm::vec2(*pixel));
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2)) << "nothing is in front";
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2)) << "nothing is in front";
   // A stretch of track that crosses the arrow on the screen, nearer to the eye.
   const glm::vec3 middle = glm::mix(v.eye, arrow, 0.5f), up = 6.0f * view::top_of(v);
   ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{middle + up}));
   ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{middle - up}));
   ASSERT_EQ(session_.document.track.knots.size(), knots + 2);
-  const edit::Knots both({{world::Kind::knot, 4}, {world::Kind::knot, 5}});
+  const edit::Knots both({{world::EntityKind::knot, 4}, {world::EntityKind::knot, 5}});
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetDirection{both, -up}));  // a straight through the middle
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const glm::vec3 before = knot(2).position;
   hover(glm::vec2(*pixel));
   press();
@@ -76,7 +76,7 @@ TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_
   release();
   frames(2);
   EXPECT_NE(knot(2).position, before) << "a drag moves the knot";
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
   ASSERT_TRUE(edit::apply(session_, files_, edit::Undo{}));
   frames(2);
   click_at(glm::vec2(*pixel));
@@ -105,7 +105,7 @@ TEST_F(CursorPlacesTest, a_drag_says_at_the_cursor_what_it_snaps_to) {
   EXPECT_EQ(dragged(), "Snap: grid 0.5 m");
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetSnapping{world::SnapTo::knots, 0.5, 15}));
   EXPECT_EQ(dragged(), "Snap: knots");
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   key(platform::Key::r);
   hover(pixel_of(2) + glm::vec2(60, 0));
   hover(pixel_of(2) + glm::vec2(60, 40));

@@ -104,7 +104,7 @@ TEST_F(FollowCameraTest, leaves_the_camera_where_it_looks_when_an_end_out_of_the
   append({150, 6, 3});
   frames(2);
   follow(true);
-  const edit::Target end{{world::Kind::knot, 4}};
+  const edit::Target end{{world::EntityKind::knot, 4}};
   ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{end, {150, 9, 3}}));
   frames(30);
   EXPECT_TRUE(all<edit::SetCamera>().empty());
@@ -119,7 +119,7 @@ TEST_F(FollowCameraTest, stays_when_undo_moves_the_end_out_of_the_picture_again)
   append({150, 6, 3});
   frames(2);
   follow(true);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 4}}, {21, 9, 3}}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::EntityKind::knot, 4}}, {21, 9, 3}}));
   frames(30);
   ASSERT_TRUE(shows({21, 9, 3}));
   key(platform::Key::z, {.ctrl = true});

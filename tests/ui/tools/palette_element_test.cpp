@@ -1,5 +1,5 @@
-// Choosing and placing the element of the palette (ui/tools/previews.h).
-#include "ui/tools/previews.h"
+// Choosing and placing the element of the palette (ui/tools/preview_placement.h).
+#include "ui/tools/preview_placement.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"

@@ -13,11 +13,12 @@
 namespace coaster::ui {
 namespace section_clicks_test {
 
-using world::Kind;
+using world::EntityKind;
 
 struct SectionClicks : SectionsStage {
-  bool is(Kind kind) const {
-    const world::Name* const name = session_.document.entities.find<world::Name>(session_.settings.selected);
+  bool is(EntityKind kind) const {
+    const world::EntityName* const name =
+        session_.document.entities.find<world::EntityName>(session_.settings.selected);
     return name && name->kind == kind;
   }
   std::size_t inner_knot(std::uint32_t number) const { return run(number).first + 1; }
@@ -28,7 +29,7 @@ TEST_F(SectionClicks, the_first_click_selects_a_section_the_second_a_place_or_a_
   EXPECT_EQ(session_.settings.selected, section(3));
   rest();
   click_at(pixel_on(3));
-  EXPECT_TRUE(is(Kind::segment));
+  EXPECT_TRUE(is(EntityKind::segment));
   EXPECT_EQ(world::segment(session_.document, session_.settings.selected).section, section(3));
   rest();
   click_at(pixel_of_knot(inner_knot(3)));
@@ -45,7 +46,7 @@ TEST_F(SectionClicks, a_knot_between_two_belongs_to_the_selected_one) {
   const std::size_t joint = run(3).first;
   click_at(pixel_of_knot(joint));
   EXPECT_EQ(session_.settings.selected, section(2)) << "without one to the earlier";
-  good(edit::Select{{{Kind::section, 3}}});
+  good(edit::Select{{{EntityKind::section, 3}}});
   frames(2);
   rest();
   click_at(pixel_of_knot(joint));
@@ -56,7 +57,7 @@ TEST_F(SectionClicks, a_quick_second_click_inserts_no_knot_and_a_drag_moves_none
   const std::size_t knots = session_.document.track.knots.size();
   click_at(pixel_on(2));
   click_at(pixel_on(2));
-  EXPECT_TRUE(is(Kind::segment));
+  EXPECT_TRUE(is(EntityKind::segment));
   EXPECT_EQ(session_.document.track.knots.size(), knots);
   good(edit::Select{});
   rest();
@@ -86,7 +87,7 @@ TEST_F(SectionClicks, shift_adds_a_section_and_takes_it_out_again) {
 }
 
 TEST_F(SectionClicks, the_mouse_names_the_section_under_it) {
-  good(edit::SetSectionTitle{{{Kind::section, 3}}, "First drop"});
+  good(edit::SetSectionTitle{{{EntityKind::section, 3}}, "First drop"});
   hover(pixel_on(3));
   frames(2);
   ASSERT_NE(find("View/Section"), nullptr);
@@ -125,7 +126,7 @@ TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) 
   frames(3);
   look_at_all();
   click_at(pixel_of_knot(inner_knot(3)));
-  EXPECT_TRUE(is(Kind::knot));
+  EXPECT_TRUE(is(EntityKind::knot));
   good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
   good(edit::NewTrack{});
   build_track(session_, files_);
@@ -133,7 +134,7 @@ TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) 
   look_at_all();
   rest();
   click_at(pixel_of_knot(1));
-  EXPECT_TRUE(is(Kind::knot));
+  EXPECT_TRUE(is(EntityKind::knot));
   EXPECT_FALSE(picks_sections(session_));
 }
 
@@ -165,7 +166,7 @@ TEST_F(SectionClicks, a_drag_of_the_handle_changes_the_height_in_one_step) {
 
 TEST_F(SectionClicks, drags_of_the_rings_turn_and_bank_by_degrees) {
   good(edit::PlaceElement{{world::ElementKind::curve, true, {25, 90, 40, 0, 0}}});
-  good(edit::Select{{{Kind::section, 5}}});
+  good(edit::Select{{{EntityKind::section, 5}}});
   frames(2);
   look_at_all();
   const auto handle = [&](view::PickKind kind) {

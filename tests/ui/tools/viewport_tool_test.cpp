@@ -38,7 +38,7 @@ TEST_F(ViewportToolTest, a_drag_moves_the_knot_under_the_cursor_as_one_step) {
   EXPECT_EQ(all<edit::EndGesture>().size(), 1u);
   EXPECT_EQ(all<edit::MoveKnot>().size(), 4u);
   EXPECT_EQ(session_.history.undo.size(), steps + 1);
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
   const glm::vec2 off = pixel_of(2) - (from + by + grab);
   EXPECT_LT(glm::length(off), 0.5f) << "the knot stays where it was grabbed, in the camera's plane";
 }
@@ -57,7 +57,7 @@ TEST_F(ViewportToolTest, a_finger_takes_a_knot_that_a_mouse_misses) {
   for (const float part : {0.5f, 1.0f}) frame({platform::MouseMove{again.x + 40 * part, again.y - 30 * part, true}});
   release();
   frame();
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
   EXPECT_LT(glm::distance(pixel_of(2), again - glm::vec2(9, -10) + glm::vec2(40, -30)), 0.5f)
       << "it moves as far as the finger";
 }
@@ -90,7 +90,7 @@ TEST_F(ViewportToolTest, keys_choose_orthographic_views_and_orbiting_leaves_them
 // Keys of a French keyboard: minus on the key of 6, digits with Shift, and a keypad whose 2 has no name.
 TEST_F(ViewportToolTest, numbers_of_a_move_are_the_text_of_keys) {
   using platform::Key, platform::KeyPress, platform::TextInput;
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const float height = knot(2).position.y;
   hover(empty_ground());
   frame({KeyPress{Key::g, true, false, {}, Key::g}, TextInput{"g"}});
@@ -156,7 +156,7 @@ TEST_F(ViewportToolTest, a_click_selects_and_changes_nothing_else) {
   drag(pixel_of(3), {1.5f, 1.5f});  // below 3 px
   release();
   frame();
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 3));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 3));
   EXPECT_EQ(world::hash(session_.document), before);
   EXPECT_EQ(commands_.size(), 1u);
 }
@@ -168,7 +168,7 @@ TEST_F(ViewportToolTest, on_a_dense_screen_a_click_may_move_as_many_points) {
   drag(pixel_of(3), {5.6f, 0});  // below 3 points
   release();
   frame();
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 3));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 3));
   EXPECT_EQ(knot(3).position, start);
   drag(pixel_of(3) + glm::vec2(0, 8.5f), {6.4f, 0});  // within the knot's 5 points, over 3 points
   release();
@@ -208,7 +208,7 @@ TEST_F(ViewportToolTest, escape_or_undo_in_a_drag_restores_the_document_exactly)
 }
 
 TEST_F(ViewportToolTest, a_handle_is_dragged_and_turns_the_tangent) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const glm::vec3 tangent = knot(2).tangent;
   const auto at = view::project(host_->view(), world::out_handle(knot(2)));
   ASSERT_TRUE(at.has_value());
@@ -216,15 +216,15 @@ TEST_F(ViewportToolTest, a_handle_is_dragged_and_turns_the_tangent) {
   release();
   EXPECT_FALSE(all<edit::MoveHandle>().empty());
   EXPECT_LT(glm::dot(knot(2).tangent, tangent), 0.999f);
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
 }
 
 TEST_F(ViewportToolTest, a_press_on_the_curve_picks_its_place_and_a_double_click_inserts_a_knot) {
-  const glm::dvec3 place = curve::point(session_.derived.shape(entity(world::Kind::segment, 2)).key.cubic, 0.41);
+  const glm::dvec3 place = curve::point(session_.derived.shape(entity(world::EntityKind::segment, 2)).key.cubic, 0.41);
   const auto at = view::project(host_->view(), glm::vec3(place));
   ASSERT_TRUE(at.has_value());
   click_at(glm::vec2(*at));
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::segment, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::segment, 2));
   EXPECT_NEAR(session_.settings.selected_t, 0.41, 0.01);
   EXPECT_EQ(session_.document.track.knots.size(), 3u);
   click_at(glm::vec2(*at));
@@ -232,7 +232,7 @@ TEST_F(ViewportToolTest, a_press_on_the_curve_picks_its_place_and_a_double_click
 }
 
 TEST_F(ViewportToolTest, a_click_on_the_ground_deselects_or_appends_there) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   click_at(empty_ground());
   EXPECT_FALSE(session_.settings.selected.valid());
   EXPECT_EQ(session_.document.track.knots.size(), 3u);
@@ -244,11 +244,11 @@ TEST_F(ViewportToolTest, a_click_on_the_ground_deselects_or_appends_there) {
   ASSERT_EQ(session_.document.track.knots.size(), 4u);
   EXPECT_EQ(knot(4).position.y, 2) << "its rails stand above the ground";
   EXPECT_LT(glm::length(pixel_of(4) - pixel), 0.5f);
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 4));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 4));
 }
 
 TEST_F(ViewportToolTest, a_drag_of_empty_space_orbits_and_leaves_document_and_selection_alone) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   const auto before = world::hash(session_.document);
   const world::Camera camera = session_.settings.camera;
   drag(empty_ground(), {80, -25});
@@ -257,7 +257,7 @@ TEST_F(ViewportToolTest, a_drag_of_empty_space_orbits_and_leaves_document_and_se
   EXPECT_EQ(session_.settings.camera.target, camera.target);
   EXPECT_EQ(session_.settings.camera.distance, camera.distance);
   EXPECT_EQ(world::hash(session_.document), before);
-  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_EQ(session_.settings.selected, entity(world::EntityKind::knot, 2));
 }
 
 TEST_F(ViewportToolTest, orbit_and_pan_carry_the_scene_with_the_cursor) {

@@ -12,7 +12,7 @@ namespace fields_test {
 struct FieldsTest : Stage {
   void SetUp() override {
     Stage::SetUp();
-    select(world::Kind::knot, 2);
+    select(world::EntityKind::knot, 2);
     commands_.clear();
   }
 };
@@ -66,7 +66,7 @@ TEST_F(FieldsTest, arithmetic_and_units_of_length_count) {
 }
 
 TEST_F(FieldsTest, a_number_of_things_is_whole) {
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   commands_.clear();
   type("Inspector/Turns", "1.5");
   frame();

@@ -29,7 +29,7 @@ TEST_F(WidgetsTest, a_click_on_a_radio_chooses_that_evaluator_and_no_other) {
 }
 
 TEST_F(WidgetsTest, a_changed_label_is_shown_and_its_former_path_is_kept_as_an_alias) {
-  select(world::Kind::segment, 1);
+  select(world::EntityKind::segment, 1);
   const Widget* const now = find("Inspector/Position t");
   ASSERT_NE(now, nullptr);
   EXPECT_EQ(now->path, "Inspector/Position t");
@@ -223,7 +223,7 @@ TEST_F(WidgetsTest, what_is_scrolled_out_is_not_visible) {
 }
 
 TEST_F(WidgetsTest, menus_list_their_actions_and_run_them) {
-  select(world::Kind::knot, 2);
+  select(world::EntityKind::knot, 2);
   click("Menu/Edit");
   ASSERT_NE(find("Menu/Edit/Delete"), nullptr);
   EXPECT_TRUE(find("Menu/Edit/Delete")->enabled);

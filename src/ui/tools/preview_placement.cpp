@@ -1,4 +1,4 @@
-#include "ui/tools/previews.h"
+#include "ui/tools/preview_placement.h"
 
 #include <algorithm>
 

@@ -34,7 +34,7 @@ TEST_F(ChangingTrack, a_split_keeps_length_shape_and_frames) {
 TEST_F(ChangingTrack, a_split_wants_a_place_inside) {
   refused("split @s1 at 0", "between 0 and 1");
   refused("split @s1 at 1", "between 0 and 1");
-  refused(SplitSegment{{{world::Kind::segment, 1}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
+  refused(SplitSegment{{{world::EntityKind::segment, 1}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
   refused("split @s1 at 0.0001", "handle would leave the limits of 0.01 to 10000 m");
   refused("split @s9 at 0.5", "there is no segment @s9");
 }

@@ -1,5 +1,5 @@
 // Hints, the legend, the card and ring of lessons, cards of progress, and notices.
-#include "ui/screens/overlays.h"
+#include "ui/screens/hud.h"
 
 #include <imgui.h>
 

@@ -17,7 +17,7 @@ namespace {
 
 using base::Status;
 using world::Entity;
-using world::Kind;
+using world::EntityKind;
 
 constexpr float kStep = 10;                   // m, distance to a new knot if there is nothing to split
 constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, above the ground
@@ -118,13 +118,13 @@ Status perform(Session& session, Change& change, const AppendKnot& command) {
 
 Status perform(Session& session, Change& change, const RemoveKnotOrTrain& command) {
   world::Document& document = session.document;
-  if (command.what.name.kind == Kind::cart) {
-    const auto cart = require(session, command.what, Kind::cart);
+  if (command.what.name.kind == EntityKind::cart) {
+    const auto cart = require(session, command.what, EntityKind::cart);
     if (!cart) return cart.status();
     document.entities.destroy(*cart);
     return {};
   }
-  const auto e = require(session, command.what, Kind::knot);
+  const auto e = require(session, command.what, EntityKind::knot);
   if (!e) return e.status();
   const world::KnotSegments sides = world::neighbours(document, *e);
   const bool merge = sides.before.valid() && sides.after.valid() && document.track.knots.size() > 2;
