@@ -17,7 +17,7 @@
 #include "base/files.h"
 #include "base/status.h"
 #include "gfx/renderer.h"
-#include "platform/system.h"
+#include "platform/browser_encoder.h"
 #include "script/movie_rates.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"

@@ -65,18 +65,18 @@ inline V4 load4(const float* p) {
 constexpr int kGroup = 8;  // vertices
 
 // The coefficients of one cubic, lanes x y z (the fourth lane is arbitrary).
-struct Rows {
+struct CubicCoefficients {
   V4 c[4];
 };
 // Coefficients start at float 12 of a PreparedCubic; c3 is loaded one float early, so that nothing past the end is
 // read.
-inline Rows rows_of(const float* cubic, float e) {
+inline CubicCoefficients coefficients_of(const float* cubic, float e) {
   const V4 c3 = load4(cubic + 20);
   return {{load4(cubic + 12), load4(cubic + 15) * e, load4(cubic + 18) * (e * e),
            __builtin_shufflevector(c3, c3, 1, 2, 3, 3) * (e * e * e)}};
 }
 // Returns the same cubic with its parameter counted from w.
-inline Rows shifted(const Rows& r, float w) {
+inline CubicCoefficients shifted(const CubicCoefficients& r, float w) {
   const V4 a = r.c[2] + r.c[3] * w, b = a + r.c[3] * w, d = r.c[1] + a * w;
   return {{r.c[0] + d * w, d + b * w, b + r.c[3] * w, r.c[3]}};
 }
@@ -85,7 +85,7 @@ inline Rows shifted(const Rows& r, float w) {
 struct GroupCoefficients {
   V8 c[3][4];
 };
-inline GroupCoefficients pattern(const Rows& rows) {
+inline GroupCoefficients pattern(const CubicCoefficients& rows) {
   GroupCoefficients p;
   for (int i = 0; i < 4; ++i) {
     const V4 v = rows.c[i];
@@ -184,7 +184,7 @@ inline void difference_run(GroupCoefficients p, int groups, float* out) {
 
 // Writes all groups, restarting every kRun groups from the cubic shifted there. Whole runs have a fixed length.
 template <bool S, bool Careful>
-inline void difference_groups(const Rows& rows, int groups, float* out) {
+inline void difference_groups(const CubicCoefficients& rows, int groups, float* out) {
   constexpr int run = coaster::curve::detail::kRun;
   if (groups >= run) difference_run<S, Careful>(pattern(rows), run, out);
   int from = groups >= run ? run : 0;
@@ -214,9 +214,9 @@ void run(const KernelJob& job) {
   const int inner = job.points < job.steps ? job.points : job.steps, groups = inner / kGroup;
   const bool rest = groups * kGroup != inner;
   for (std::size_t i = 0; i < job.count; ++i, cubic += 24, out += static_cast<std::ptrdiff_t>(job.points) * 3) {
-    if constexpr (Differences) difference_groups<S, Careful>(rows_of(cubic, kGroup * inv), groups, out);
+    if constexpr (Differences) difference_groups<S, Careful>(coefficients_of(cubic, kGroup * inv), groups, out);
     if (!Differences || rest) {
-      const GroupCoefficients p = pattern(rows_of(cubic, inv));
+      const GroupCoefficients p = pattern(coefficients_of(cubic, inv));
       if constexpr (!Differences) horner_groups<S>(p, 0, groups, out);
       if (rest) last_vertices(p, inner, out);
     }

@@ -2,7 +2,9 @@
 // first needs it. It has no encoder of movies.
 #include <dlfcn.h>
 
-#include "platform/system.h"
+#include "platform/browser_encoder.h"
+#include "platform/frame_loop.h"
+#include "platform/system_fonts.h"
 
 namespace coaster::platform {
 namespace {

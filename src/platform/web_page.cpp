@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "platform/system.h"
+#include "platform/browser_encoder.h"
+#include "platform/frame_loop.h"
+#include "platform/system_fonts.h"
 
 namespace coaster::platform {
 namespace {

@@ -1,5 +1,5 @@
 // The loop of frames.
-#include "platform/system.h"
+#include "platform/frame_loop.h"
 
 #include <gtest/gtest.h>
 

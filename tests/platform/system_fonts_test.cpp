@@ -1,5 +1,5 @@
 // The fonts of the system.
-#include "platform/system.h"
+#include "platform/system_fonts.h"
 
 #include <gtest/gtest.h>
 

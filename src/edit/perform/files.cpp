@@ -11,6 +11,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/perform/job_result.h"
 #include "edit/perform/perform_context.h"
+#include "edit/session/ride_report.h"
 #include "exchange/formats.h"
 #include "exchange/own/force_limits_file.h"
 #include "exchange/own/share_link.h"

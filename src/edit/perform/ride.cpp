@@ -4,7 +4,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/perform/perform_context.h"
-#include "edit/session/ride_end_detection.h"
+#include "edit/session/ride_watch.h"
 #include "exchange/challenge_file.h"
 
 namespace coaster::edit {

@@ -19,8 +19,8 @@ template HeapValue<Memory>::~HeapValue();
 namespace coaster::edit {
 
 sim::RideCache& rides_of(Session& session) { return session.findings->rides; }
-sim::ForceCache& force_plans_of(Session& session) { return session.findings->forces; }
-const sim::ForceCache& force_plans_of(const Session& session) { return session.findings->forces; }
+sim::ForcePlanCache& force_plans_of(Session& session) { return session.findings->forces; }
+const sim::ForcePlanCache& force_plans_of(const Session& session) { return session.findings->forces; }
 sim::OpenedTrack& opened_track_of(Session& session) { return session.findings->opened; }
 
 FindingsCache& SessionFindings::memory() const { return *session_->findings; }

@@ -15,7 +15,7 @@ struct Element;
 }
 
 namespace coaster::sim {
-class ForceCache;
+class ForcePlanCache;
 class RideCache;
 class RailTables;
 class Riders;
@@ -44,8 +44,8 @@ struct Session;
 
 // What planners and moving trains remember between two uses.
 sim::RideCache& rides_of(Session& session);
-sim::ForceCache& force_plans_of(Session& session);
-const sim::ForceCache& force_plans_of(const Session& session);
+sim::ForcePlanCache& force_plans_of(Session& session);
+const sim::ForcePlanCache& force_plans_of(const Session& session);
 sim::OpenedTrack& opened_track_of(Session& session);  // for planning a section that completes a circuit again
 
 // Gives read access to a session and its findings, for panels and queries. References, pointers and spans are valid

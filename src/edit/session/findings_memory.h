@@ -47,7 +47,7 @@ struct FindingsCache {
   // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
   base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
   sim::OpenedTrack opened;  // for planning a section that completes a circuit again
-  sim::ForceCache forces;
+  sim::ForcePlanCache forces;
   sim::FrenetBreaks breaks;
   sim::TrackValueCache values;
   sim::NearSegments near;          // to the eye

@@ -10,7 +10,7 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "base/text.h"
-#include "edit/session/ride_end_detection.h"
+#include "edit/session/ride_watch.h"
 #include "exchange/own/share_link.h"
 #include "sim/plan/force_plan.h"
 #include "sim/shape/folds.h"
@@ -77,33 +77,7 @@ world::Entity chosen_cart(const Session& session) {
   return selected ? session.settings.selected : world::first_cart(session.document);
 }
 
-std::optional<std::vector<MissedForces>> forces_missed(const SessionFindings& find) {
-  const world::Document& document = find.session().document;
-  std::vector<MissedForces> all;
-  bool any = false;
-  for (const world::SectionRun& run : world::sections_of(document)) {
-    const sim::ForcePlan* const plan = find.force(run.section);
-    if (plan == nullptr) continue;
-    any = true;
-    std::string text = sim::missed_text(*plan);
-    if (!plan->refusal.empty() || text.empty()) continue;
-    all.push_back({world::label_of(document, run.section), std::move(text), plan->task.program.tolerance});
-  }
-  return any ? std::optional(std::move(all)) : std::nullopt;
-}
-
 namespace {
-
-// Returns a line for each force section whose spans miss its tolerance, below a line with their number; empty without
-// force sections.
-std::string missed_forces(const SessionFindings& find) {
-  std::string lines;
-  const std::optional<std::vector<MissedForces>> missed = forces_missed(find);
-  if (!missed) return {};
-  for (const MissedForces& one : *missed)
-    lines += fmt::format("    section {}: {}; tolerance {} g\n", one.section, one.text, base::to_text(one.tolerance));
-  return fmt::format("  {:<22} {:8} (force sections over their tolerance)\n", "missed forces", missed->size()) + lines;
-}
 
 // The labels of buttons that differ from their command's name.
 constexpr std::pair<std::string_view, std::string_view> kLabels[] = {
@@ -123,28 +97,6 @@ std::string label_of(std::string_view command) {
 }
 
 }  // namespace
-
-std::optional<std::string> ride_report(const SessionFindings& find) {
-  const sim::SimulatedRide* const ride = find.ride();
-  if (ride == nullptr) return std::nullopt;
-  std::string text =
-      sim::report_text(*ride, find.ratings(), find.riders()->all(), find.overloads(), find.session().document.name);
-  if (const auto bends = find.tight_bends(); !bends.empty()) text += fmt::format("  {}\n", sim::tight_text(bends));
-  if (const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived); !blocks.empty())
-    text += fmt::format("  {}\n", blocks);
-  text += missed_forces(find);
-  if (const auto& import = find.session().file.import) {
-    text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg, of the file's rows; at their jumps {:.3f} deg\n",
-                        "largest deviation", 1e3 * import->max_error, import->frame_error, import->jump_error);
-    text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg\n", "RMS deviation", 1e3 * import->rms_error,
-                        import->rms_frame_error);
-  }
-  return text;
-}
-std::optional<std::string> ride_csv(const SessionFindings& find) {
-  const sim::SimulatedRide* const ride = find.ride();
-  return ride ? std::optional(sim::report_csv(*ride, find.riders()->all())) : std::nullopt;
-}
 
 std::string failure_text(const Session& session) {
   const world::RideFailure& failure = session.motion.failure;

@@ -149,10 +149,6 @@ void advance_measurement(Session& session);
 // Returns the selected cart, else the first one by name; kNone without any. Forces, colours, advice and report use this
 // train.
 world::Entity chosen_cart(const Session& session);
-// Return the report of the selected cart's ride on the present track as text, and as comma-separated values by time;
-// nothing without a ride.
-std::optional<std::string> ride_report(const SessionFindings& find);
-std::optional<std::string> ride_csv(const SessionFindings& find);
 
 // Returns "Train c1 stalled at 132.4 m, 2.1 m below the top at 141.0 m: ...", as the score card says it; empty if the
 // ride has not failed.

@@ -159,13 +159,13 @@ std::string stop_text(const ForcePlan& plan) {
   return fmt::format("the section ends at {:.1f} m: {} there", plan.length, plan.path.stopped);
 }
 
-bool ForceCache::has(const ForceTask& task) const {
+bool ForcePlanCache::has(const ForceTask& task) const {
   return std::any_of(plans_.begin(), plans_.end(), [&](const ForcePlan& plan) { return plan.task == task; });
 }
 
-void ForceCache::make_room(std::size_t sections) { most_ = std::max(most_, 2 * sections); }
+void ForcePlanCache::make_room(std::size_t sections) { most_ = std::max(most_, 2 * sections); }
 
-const ForcePlan& ForceCache::plan(const ForceTask& task) {
+const ForcePlan& ForcePlanCache::plan(const ForceTask& task) {
   const auto found = std::find_if(plans_.begin(), plans_.end(), [&](const ForcePlan& p) { return p.task == task; });
   if (found != plans_.end()) {
     std::rotate(found, found + 1, plans_.end());

@@ -25,7 +25,7 @@ struct ForcePlan {
   ForceFit fit;              // fit.spans.knots.front() is the track's end, with its new outgoing handle
   double length = 0;         // m
   double end_speed = 0;      // m/s
-  std::uint64_t serial = 0;  // a new number for each plan that a ForceCache makes
+  std::uint64_t serial = 0;  // a new number for each plan that a ForcePlanCache makes
   std::size_t spans() const { return fit.spans.knots.empty() ? 0 : fit.spans.knots.size() - 1; }
   // Returns the index of the last point that is at most `at` m or s from the start.
   std::size_t point_at(double at) const;
@@ -81,7 +81,7 @@ std::string missed_text(const ForcePlan& plan);
 std::string stop_text(const ForcePlan& plan);
 
 // Caches the plans of the last tasks.
-class ForceCache {
+class ForcePlanCache {
  public:
   // The result is valid until the next call.
   const ForcePlan& plan(const ForceTask& task);

@@ -179,16 +179,16 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
   for (const Ring& hold : supports.holds) add_collar(hold, mesh);
 }
 
-SupportCount support_row(const SegmentShape& shape) {
+SupportSpacing spacing_of(const SegmentShape& shape) {
   constexpr double kShortest = 0.05,
                    kMost = 1.7;  // m; largest spacing relative to the segment's length, for a support on each
   const double length = shape.arc.length();
   if (!(length > kShortest)) return {};
   double wanted = wanted_spacing(shape) / length;
   if (wanted <= kMost) return {static_cast<int>(std::clamp(1 / wanted + 0.62, 1.0, double{kMostSupports})), 1};
-  int turns = 1;
-  for (; wanted > kMost; wanted /= 2) turns *= 2;
-  return {1, turns};
+  int every = 1;
+  for (; wanted > kMost; wanted /= 2) every *= 2;
+  return {1, every};
 }
 
 // Finds the segments near enough to be met by supports of near ones: all, if everything is near. Returns whether they
@@ -237,7 +237,7 @@ void Supports::take_shapes(const DerivedTrack& derived) {
     entry->stale = true;
     entry->lane = {rings_of(shape, detail_.most_rings), rails_box(shape)};
     entry->reach = reach_of(entry->lane.box);
-    entry->row = support_row(shape);
+    entry->spacing = spacing_of(shape);
     if (!still) moved_.push_back(entry->lane.box);
   }
 }
@@ -267,7 +267,7 @@ void Supports::forget_far() {
 void Supports::take_turns() {
   for (std::size_t k = 0; k < order_.size(); ++k) {
     Entry& entry = entries_.get(order_[k]);
-    const int count = entry.row.on(places_[k]);
+    const int count = entry.spacing.on(places_[k]);
     if (count != entry.count) entry.stale = true;
     entry.count = count;
   }

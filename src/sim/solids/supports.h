@@ -25,13 +25,13 @@ struct SegmentSupports {
   std::uint64_t build = 0;  // a new number when the bars change; 0: never any
 };
 
-// The number of supports of a segment: `count`, evenly spaced, on every `turns`-th segment of its kind. Depends only on
+// The number of supports of a segment: `count`, evenly spaced, on every `every`-th segment of its kind. Depends only on
 // the segment's shape: a change elsewhere moves none.
-struct SupportCount {
-  int count = 0, turns = 1;
-  int on(std::size_t index) const { return index % static_cast<std::size_t>(turns) == 0 ? count : 0; }
+struct SupportSpacing {
+  int count = 0, every = 1;
+  int on(std::size_t index) const { return index % static_cast<std::size_t>(every) == 0 ? count : 0; }
 };
-SupportCount support_row(const SegmentShape& shape);
+SupportSpacing spacing_of(const SegmentShape& shape);
 
 class Supports {
  public:
@@ -53,7 +53,7 @@ class Supports {
     bool stale = true;
     SegmentClearance lane;
     curve::Box reach;  // contains all possible positions of bars
-    SupportCount row;
+    SupportSpacing spacing;
     int count = -1;  // number wanted at its index in the track
     SegmentSupports found;
   };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "platform/system.h"
+#include "platform/system_fonts.h"
 #include "ui/widgets/imgui_compat.h"
 #include "world/appearance_settings.h"
 

@@ -1,5 +1,5 @@
-// Tests the ride report (edit/session/ride_end_detection.h).
-#include "edit/session/ride_end_detection.h"
+// Tests the ride report (edit/session/ride_report.h).
+#include "edit/session/ride_report.h"
 
 #include <cmath>
 #include <set>

@@ -1,14 +1,11 @@
-// What surrounds the program besides a surface: the loop of frames, the system's fonts, and a browser's encoder of
-// movies. A desktop (desktop.cpp) and a page (web_page.cpp) have their own.
+// A browser's encoder of movies: web_page.cpp has it, desktop.cpp says that there is none.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "base/status.h"
 
@@ -34,18 +31,5 @@ class BrowserEncoder {
   std::optional<std::string> poll();
   double done() const;  // 0..1 of the pictures
 };
-
-// A font file of outlines, and the font's place in it.
-struct SystemFont {
-  std::string path;
-  int index = 0;
-};
-
-// Returns the fonts that together have as many of the characters as the system's fonts have; none without fontconfig.
-std::vector<SystemFont> fonts_with(std::vector<unsigned> characters);
-
-// Calls `step` until it returns false, then returns the result of `finish`. In a web page it returns 0 at once: the
-// browser continues to call `step`, and after the last one the program ends with the result of `finish`.
-int run_frames(std::function<bool()> step, std::function<int()> finish);
 
 }  // namespace coaster::platform

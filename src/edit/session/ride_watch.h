@@ -1,5 +1,4 @@
-// Detects the end of rides and has challenges judged then; the ride report as JSON, and what it shares with the text,
-// session.h's ride_report().
+// Watches the live ride: detects its end, and has challenges judged then or while building.
 #pragma once
 
 #include "edit/session/session.h"
@@ -16,16 +15,5 @@ void watch_reset(Session& session);
 void watch_ticks(Session& session, int ticks);
 // Call when the document or its settings have changed: judges challenges that are judged while building.
 void watch_built(Session& session);
-
-// Returns the numbers of ride_report() as JSON, in full precision, with units in the names; null for what there is none
-// of. Nothing if the track has no train.
-std::optional<std::string> ride_report_json(const SessionFindings& find);
-// A force section whose spans miss its tolerance (g), and by how much in words.
-struct MissedForces {
-  std::string section, text;
-  double tolerance = 0;
-};
-// Returns them in the order of the track; nothing without force sections.
-std::optional<std::vector<MissedForces>> forces_missed(const SessionFindings& find);
 
 }  // namespace coaster::edit
