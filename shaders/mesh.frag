@@ -6,6 +6,9 @@ uniform sampler2D values;  // 32 per segment, uniform in arc length; 32 segments
 uniform vec2 value_range;  // from and to
 uniform vec3 stops[10];    // the colour map, uniform from 0 to 1
 uniform vec3 unknown;
+uniform vec4 materials[23];        // by sim::Material: paint (sRGB); w: how much of the surface is varnish
+uniform int own_paints;            // 1: some sections have paint of their own
+uniform sampler2D section_paints;  // 4 per segment: rails, spine, supports, none; alpha 1: its own; 32 segments per row
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -13,16 +16,18 @@ in float along;
 flat in float segment;
 out vec4 colour;
 
-// By sim::Part.
-const vec3 kPaints[19] = vec3[19](
-    vec3(0.851, 0.271, 0.184), vec3(0.659, 0.204, 0.149), vec3(0.227, 0.247, 0.278),  // rail, spine, tie
-    vec3(0.180, 0.369, 0.667), vec3(0.957, 0.773, 0.259), vec3(0.150, 0.160, 0.180),  // body, stripe, wheel
-    vec3(0.894, 0.906, 0.922), vec3(0.710, 0.722, 0.706), vec3(0.420, 0.441, 0.471),  // support, concrete, chain
-    vec3(0.788, 0.816, 0.847), vec3(0.165, 0.545, 0.655), vec3(0.545, 0.573, 0.608),  // fin, stator, deck
-    vec3(0.170, 0.185, 0.215), vec3(0.850, 0.660, 0.525), vec3(0.240, 0.560, 0.525),  // seat, skin, teal
-    vec3(0.851, 0.773, 0.560), vec3(0.480, 0.360, 0.600), vec3(0.910, 0.895, 0.860),  // sand, plum, linen
-    vec3(0.260, 0.200, 0.160));                                                       // hair
-vec3 paint(int part) { return kPaints[clamp(part, 0, 18)]; }
+// Returns the paint of a material: its own, or that of the segment's section.
+vec3 paint(int part) {
+  vec3 own = materials[clamp(part, 0, 22)].rgb;
+  int which = part == 0 ? 0 : part < 3 ? 1 : part == 6 || part == 21 ? 2 : 3;
+  // Once or never: software renderers skip a loop, but not a branch.
+  for (int i = 0; i < own_paints; ++i) {
+    int index = int(segment + 0.5);
+    vec4 section = texelFetch(section_paints, ivec2((index & 31) * 4 + which, index >> 5), 0);
+    own = mix(own, section.rgb, step(0.5, section.a));
+  }
+  return own;
+}
 
 vec3 value_colour() {
   int index = int(segment + 0.5);
@@ -35,15 +40,6 @@ vec3 value_colour() {
   float part = clamp((value - value_range.x) / (value_range.y - value_range.x), 0.0, 1.0) * 9.0;
   int stop = min(int(part), 8);
   return mix(stops[stop], stops[stop + 1], part - float(stop));
-}
-
-// Returns how much of a part's surface is varnish, which reflects sun and sky.
-float gloss(int part) {
-  if (part == 2) return 0.12;
-  if (part == 5) return 0.06;
-  if (part == 7 || part >= 11) return 0.04;  // concrete, floors, seats, riders
-  if (part == 8) return 0.3;
-  return part == 3 || part == 4 ? 0.9 : 0.6;
 }
 
 // Returns the linear light of a painted surface; `sun`: fraction of sunlight on it.
@@ -82,7 +78,7 @@ void main() {
     light =
         mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
   } else {
-    light = lit(own, gloss(part), sun, normal, to_eye);
+    light = lit(own, materials[clamp(part, 0, 22)].w, sun, normal, to_eye);
     if (part == 4) light += air.ground_light.w * own;
   }
 #endif

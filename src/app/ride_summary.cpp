@@ -34,7 +34,7 @@ RideSummary begin_summary(const edit::Session& session) {
   summary.segments = session.document.track.segments.size();
   summary.closed = session.document.track.closed;
   summary.length = session.derived.length;
-  summary.cutoff = session.limits.envelope.cutoff;
+  summary.cutoff = edit::force_limits(session).cutoff;
   if (session.motion.carts.size() == 0) return summary;
   summary.highest = summary.lowest = height_of(session, session.motion.carts.items()[0]);
   return summary;

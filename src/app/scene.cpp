@@ -81,6 +81,7 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   scene.unseen = look.unseen;
   scene.clock = [&] { return program.surface->clock(); };
   scene.supports = seen.supports;
+  scene.document = &session.document;
   program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;

@@ -37,6 +37,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
   scene.style = source.style;
+  scene.document = &session.document;
   edit::SessionFindings(session).look_from(gfx::surroundings_of(view));
   scene.supports = &edit::SessionFindings(session).supports();
   (void)renderer->draw(scene, width, height);

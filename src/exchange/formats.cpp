@@ -180,7 +180,7 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
   std::string bytes = format.print(document);
   if (const std::filesystem::path beside = materials_of(path); !beside.empty()) {
     bytes = fmt::format("mtllib {}\n{}", beside.filename().string(), bytes);
-    if (const base::Status written = files.write_atomic(beside, format.materials()); !written) return written;
+    if (const base::Status written = files.write_atomic(beside, format.materials(document)); !written) return written;
   }
   bytes = base::visible_text(bytes);
   if (content) *content = base::content_hash(bytes);

@@ -26,7 +26,7 @@ struct TrackFormat {
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              const ImportOptions& import) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
-  std::string (*materials)() = nullptr;  // prints the file of materials_of()
+  std::string (*materials)(const world::Document&) = nullptr;  // prints the file of materials_of()
 };
 
 // Returns the table; the project's own format is first.

@@ -84,6 +84,9 @@ struct ShaderProgram {
   void set(const char* name, glm::vec4 value) const {
     if (gl) gl->Uniform4fv(place(name), 1, &value[0]);
   }
+  void set(const char* name, std::span<const glm::vec4> values) const {
+    if (gl) gl->Uniform4fv(place(name), GLsizei(values.size()), &values[0][0]);
+  }
   void set(const char* name, const glm::mat4& value) const {
     if (gl) gl->UniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
   }

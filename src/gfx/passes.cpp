@@ -12,6 +12,7 @@
 
 #include "gfx/shader_sources.h"
 #include "gfx/sun_shadows.h"
+#include "sim/solids/materials.h"
 #include "sim/solids/track_mesh.h"
 #include "view/colour_map.h"
 
@@ -148,10 +149,12 @@ glm::vec3 lit_from(const view::View& view) {
   return view.parallel > 0 ? glm::vec3(view.eye.x, std::max(view.eye.y, view::kLowestEye), view.eye.z) : view.eye;
 }
 
+constexpr double kTieSpacing = 1.5;  // m, of steel; closer ties vanish no later
+
 // Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
 SweptTrack::DetailDistances reach_of(const view::View& view, float detail) {
   const float pixel = metres_of_pixels(view, 1) / detail;
-  return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(sim::kTieSpacing) / pixel};
+  return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(kTieSpacing) / pixel};
 }
 
 // Call with the program in use and its matrix set.
@@ -186,15 +189,39 @@ void set_colouring(const PassContext& pass, const ShaderProgram& program) {
     program.set(fmt::format("stops[{}]", i).c_str(), view::kColourStops[i]);
 }
 
+glm::vec3 srgb(world::Colour colour) {
+  return glm::vec3(colour.rgb >> 16 & 255, colour.rgb >> 8 & 255, colour.rgb & 255) / 255.0f;
+}
+
+// Sets the materials in the document's paint. Painted timber has no varnish.
+void set_materials(const PassContext& pass, const ShaderProgram& program, const SectionPaint& paint) {
+  constexpr float kTimberGloss = 0.06f;
+  const world::CoasterKind kind = pass.scene.derived.made.kind;
+  const world::Document* const document = pass.scene.document;
+  const world::Paint shown = world::over(document ? document->paint : world::Paint{}, base::row_of(kind).paint);
+  const bool timber = sim::form_of(kind).supports == sim::SupportForm::bent;
+  std::array<glm::vec4, sim::kMaterialCount> materials;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const sim::MaterialRow& row = sim::kMaterials[i];
+    const world::Colour own = row.painted ? shown.of(*row.painted) : world::Colour{};
+    const bool wood = timber && (row.painted == world::PaintPart::spine || row.painted == world::PaintPart::supports);
+    materials[i] = {own.own() ? srgb(own) : row.colour, wood ? kTimberGloss : row.gloss};
+  }
+  program.set("materials", materials);
+  program.set("own_paints", paint.any() ? 1 : 0);
+  program.set("section_paints", kPaintUnit);
+}
+
 // Draws everything by a program, without the faces that are `hidden`.
 void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const TrackCache& track,
-              const CarInstances& instances, const SunShadows& shadows) {
+              const CarInstances& instances, const SectionPaint& paint, const SunShadows& shadows) {
   pass.gl.CullFace(hidden);
   const ShaderProgram& program = pass.use(name);
   program.set("view_projection", pass.view_projection);
   program.set("eye", lit_from(pass.scene.view));
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
   set_colouring(pass, program);
+  set_materials(pass, program, paint);
   shadows.bind(program);
   draw_track(pass, track);
   draw_carts(pass, instances);
@@ -288,14 +315,15 @@ void cast_carts(const PassContext& pass, const CarInstances& instances, const gl
 }
 
 void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,
-                 const SunShadows& shadows) {
+                 SectionPaint& paint, const SunShadows& shadows) {
   blend(pass.gl, false);
   pass.gl.Enable(GL_DEPTH_TEST);
   pass.gl.DepthFunc(GL_LESS);
   pass.gl.Enable(GL_CULL_FACE);
-  values.bind();  // the sampler always needs a texture
-  if (pass.scenery.drawing) draw_all(pass, SceneProgram::outline, GL_FRONT, track, instances, shadows);
-  draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, shadows);
+  values.bind();  // a sampler always needs a texture
+  paint.bind(kPaintUnit);
+  if (pass.scenery.drawing) draw_all(pass, SceneProgram::outline, GL_FRONT, track, instances, paint, shadows);
+  draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, paint, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }
 

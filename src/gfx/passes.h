@@ -11,6 +11,7 @@
 #include "gfx/per_frame_instances.h"
 #include "gfx/renderer.h"
 #include "gfx/scenery.h"
+#include "gfx/section_paint.h"
 #include "gfx/track_cache.h"
 #include "gfx/value_texture.h"
 
@@ -58,7 +59,7 @@ struct PassContext {
 };
 
 // Texture units.
-inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
+inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3, kPaintUnit = 5;
 
 // Lets the buffers of very long tracks hold in full what the view can show, from now on.
 void choose_levels(const Scene& scene, TrackCache& track);
@@ -75,7 +76,7 @@ void cast_carts(const PassContext& pass, const CarInstances& instances, const gl
 
 // Draws track and trains; in the blueprint style their outlines first, so that they show behind them.
 void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,
-                 const SunShadows& shadows);
+                 SectionPaint& paint, const SunShadows& shadows);
 
 // Draws the laboratory's polyline. `timer` measures its GPU time.
 void draw_polyline(const PassContext& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer);

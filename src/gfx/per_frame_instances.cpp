@@ -43,14 +43,16 @@ double stretch(const sim::Pose& pose) {
 }  // of the model along the rails
 
 // Returns a car's hitch: in front (+1) or behind (-1).
-glm::dvec3 hitch(const sim::Pose& pose, double way) {
-  return pose.position + way * sim::kHitchBack * stretch(pose) * pose.frame.forward + sim::kHitchHeight * pose.frame.up;
+glm::dvec3 hitch(const sim::Pose& pose, double way, double height) {
+  return pose.position + way * sim::kHitchBack * stretch(pose) * pose.frame.forward + height * pose.frame.up;
 }
 
 }  // namespace
 
-CarInstances::Model::Model(const Gl& gl, const sim::Mesh& mesh)
-    : vertices(gl), indices(gl), poses(gl), array(make_vertex_array(gl)), index_count(GLsizei(mesh.indices.size())) {
+CarInstances::Model::Model(const Gl& gl) : vertices(gl), indices(gl), poses(gl), array(make_vertex_array(gl)) {}
+
+void CarInstances::Model::fill(const sim::Mesh& mesh) {
+  index_count = GLsizei(mesh.indices.size());
   vertices.fill(mesh.vertices);
   indices.fill(mesh.indices);
 }
@@ -70,12 +72,19 @@ CarInstances::CarInstances(const Gl& gl)
       mark_buffer_(gl),
       line_array_(make_vertex_array(gl)),
       mark_array_(make_vertex_array(gl)),
-      models_{{{gl, sim::car_mesh(true)},
-               {gl, sim::car_mesh(false)},
-               {gl, sim::coupling_mesh()},
-               {gl, sim::distant_car_mesh()}}} {}
+      models_{Model(gl), Model(gl), Model(gl), Model(gl)} {}
 
-void CarInstances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye) {
+void CarInstances::take_kind(world::CoasterKind kind) {
+  if (kind_ == kind) return;
+  kind_ = kind;
+  models_[leading].fill(sim::car_mesh(kind, true)), models_[following].fill(sim::car_mesh(kind, false));
+  models_[coupling].fill(sim::coupling_mesh()), models_[distant].fill(sim::distant_car_mesh(kind));
+  for (Model& model : models_) model.link(*gl_);
+}
+
+void CarInstances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye,
+                          world::CoasterKind kind) {
+  take_kind(kind);
   const auto send = [&](GrowingBuffer<float>& buffer, const GlObject& array, std::initializer_list<int> sizes) {
     if (buffer.fill(staged_)) {
       gl_->BindVertexArray(array.id());
@@ -139,7 +148,8 @@ void CarInstances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {
     if (shown_[i] != following) continue;
-    const glm::dvec3 from = hitch(cars[i], 1), way = hitch(cars[i - 1], -1) - from;
+    const double height = sim::form_of(*kind_).hitch;
+    const glm::dvec3 from = hitch(cars[i], 1, height), way = hitch(cars[i - 1], -1, height) - from;
     const double length = glm::length(way);
     if (!(length > kShortest && length < kLongest)) continue;
     const glm::dvec3 forward = way / length, up = curve::perpendicular(forward, cars[i].frame.up);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "sim/ride/ride.h"
 #include "sim/solids/mesh.h"
 #include "view/overlay.h"
+#include "world/coaster_kind.h"
 
 namespace coaster::gfx {
 
@@ -19,7 +21,7 @@ class CarInstances {
   explicit CarInstances(const Gl& gl);
   // The number of cars drawn in full, those nearest to the eye; the others are drawn as blocks.
   static constexpr std::size_t kFullCars = 512;
-  void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye);
+  void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye, world::CoasterKind kind);
 
   // Each binds an array and returns the number of instances to draw: a strip of 4 corners each, in the list's order.
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
@@ -40,7 +42,8 @@ class CarInstances {
 
   // A constant mesh, drawn once per pose.
   struct Model {
-    Model(const Gl& gl, const sim::Mesh& mesh);
+    explicit Model(const Gl& gl);
+    void fill(const sim::Mesh& mesh);
     void link(const Gl& gl);
     GrowingBuffer<sim::MeshVertex> vertices;
     GrowingBuffer<std::uint32_t> indices;
@@ -49,6 +52,7 @@ class CarInstances {
     GLsizei index_count = 0, count = 0;
   };
   enum Kind : std::uint8_t { leading, following, coupling, distant };
+  void take_kind(world::CoasterKind kind);
   void choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye);
   void stage_cars(std::span<const sim::Pose> cars, Kind kind);
   void stage_couplings(std::span<const sim::Pose> cars);
@@ -58,10 +62,11 @@ class CarInstances {
   GrowingBuffer<float> line_buffer_, mark_buffer_;
   GlObject line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
-  std::array<Model, 4> models_;    // by kind, in drawing order
-  std::vector<Kind> shown_;        // by car
-  std::vector<double> distances_;  // m^2, kept for its capacity
-  std::vector<float> staged_;      // kept for its capacity
+  std::optional<world::CoasterKind> kind_;  // of the models
+  std::array<Model, 4> models_;             // by kind, in drawing order
+  std::vector<Kind> shown_;                 // by car
+  std::vector<double> distances_;           // m^2, kept for its capacity
+  std::vector<float> staged_;               // kept for its capacity
 };
 
 }  // namespace coaster::gfx

@@ -24,6 +24,7 @@ struct Renderer::Parts {
   TrackCache track{gl};
   CarInstances instances{gl};
   ValueTexture values{gl};  // colours of the track
+  SectionPaint paint{gl};
   CurveDeviation deviation{gl};
   SunShadows shadows{gl};
   GpuTimer polyline_timer{gl};
@@ -37,7 +38,8 @@ struct Renderer::Parts {
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   choose_levels(scene, track);
   const TrackCache::UploadStats synced = track.sync(scene.derived, scene.clock);
-  const SupportCache::UploadStats held = track.supports().sync(scene.supports, scene.clock, track.near());
+  const SupportCache::UploadStats held =
+      track.supports().sync(scene.supports, scene.clock, track.near(), scene.derived.made.kind);
   stats.uploads = synced.uploads;
   stats.support_uploads = held.uploads;
   stats.prepare_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);
@@ -51,7 +53,8 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
     stats.deviation_pending = measured.pending;
   }
   if (scene.values) stats.recolours = values.sync(scene.derived, *scene.values).recolours;
-  instances.upload(scene.overlay, scene.carts, scene.view.eye);
+  paint.sync(scene.derived, scene.document);
+  instances.upload(scene.overlay, scene.carts, scene.view.eye, scene.derived.made.kind);
 }
 
 Renderer::Renderer(const Gl& gl, int samples)
@@ -89,7 +92,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   parts.shadows.update(pass, parts.track, parts.instances);
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   draw_backdrop(pass, parts.shadows);
-  draw_solids(pass, parts.track, parts.instances, parts.values, parts.shadows);
+  draw_solids(pass, parts.track, parts.instances, parts.values, parts.paint, parts.shadows);
   draw_polyline(pass, parts.track, parts.gpu_curves, parts.polyline_timer);
   draw_overlay(pass, parts.instances);
   parts.targets.finish();

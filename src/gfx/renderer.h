@@ -36,8 +36,9 @@ struct Scene {
   world::Style style{};
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
-  bool unseen = false;  // true: do everything except drawing pixels
-  float detail = 1;     // factor of the distances from which on the track is coarse
+  bool unseen = false;                        // true: do everything except drawing pixels
+  const world::Document* document = nullptr;  // whose paint shows; null: the usual paint of the track's kind
+  float detail = 1;                           // factor of the distances from which on the track is coarse
 };
 
 // Returns where ties, equipment and supports are near enough to be seen, for scenes of the usual detail.

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/check.h"
+#include "sim/solids/coaster_form.h"
 #include "sim/solids/supports.h"
 
 namespace coaster::gfx {
 namespace {
 
-constexpr float kTrackMargin = sim::kSupportReach + 1, kCarMargin = 2.5f;  // m
-constexpr float kDepthMargin = 1;                                          // m
-constexpr float kLargest = 1 << 18;                                        // m, more than the world's width
+constexpr float kTrackMargin = sim::kSupportReach + 1, kHangingMargin = 3.2f;  // m
+constexpr float kDepthMargin = 1;                                              // m
+constexpr float kLargest = 1 << 18;                                            // m, more than the world's width
 
 // Returns the distance from a point to a box; 0 inside.
 float distance_to(const LightBox& box, glm::vec3 at) {
@@ -93,11 +95,11 @@ const LightBox& TrackBox::update(const SunAxes& axes, const sim::DerivedTrack& d
   return box_;
 }
 
-LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts) {
+LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts, float margin) {
   LightBox box;
   for (const sim::Pose& cart : carts)
     box.add(axes.of(glm::vec3(cart.position)),
-            kCarMargin + static_cast<float>(std::max(cart.length - world::kCarLength, 0.0)));
+            margin + static_cast<float>(std::max(cart.length - world::kCarLength, 0.0)));
   return box;
 }
 
@@ -213,7 +215,8 @@ void SunShadows::update(const PassContext& pass, TrackCache& track, const CarIns
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
   const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
-  if (!std::equal(cars_.begin(), cars_.end(), scene.carts.begin(), scene.carts.end(), same)) {
+  const world::CoasterKind kind = std::exchange(kind_, scene.derived.made.kind);
+  if (kind != kind_ || !std::equal(cars_.begin(), cars_.end(), scene.carts.begin(), scene.carts.end(), same)) {
     cars_.assign(scene.carts.begin(), scene.carts.end());
     ++cars_version_;
   }
@@ -226,8 +229,9 @@ void SunShadows::update(const PassContext& pass, TrackCache& track, const CarIns
   if (track_.update(texels, axes, square, track.mesh_version(), scene.unseen,
                     [&](const glm::mat4& light) { cast_track(pass, track, light, texel_metres); }))
     ++pass.stats.shadow_maps;
-  if (trains_.update(texels / 4, axes, fit(light_box(axes, scene.carts), kTrainSide), cars_version_, scene.unseen,
-                     [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))
+  const float margin = sim::form_of(kind_).side < 0 ? kHangingMargin : kCarMargin;
+  if (trains_.update(texels / 4, axes, fit(light_box(axes, scene.carts, margin), kTrainSide), cars_version_,
+                     scene.unseen, [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))
     ++pass.stats.shadow_maps;
 }
 

@@ -45,8 +45,9 @@ class TrackBox {
   LightBox box_;
   std::size_t looked_at_ = 0;
 };
-// Returns the box of the cars: 2.5 m around their middles, more for longer cars.
-LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts);
+inline constexpr float kCarMargin = 2.5f;  // m about the middle of a car's rails; more where riders hang
+// Returns the box of the cars: the margin around their middles, more for longer cars.
+LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts, float margin = kCarMargin);
 
 struct ShadowFit {
   glm::vec3 middle{0};  // along the light's axes
@@ -109,6 +110,7 @@ class SunShadows {
   ShadowMap track_, trains_;
   TrackBox track_box_;
   std::vector<sim::Pose> cars_;  // poses of the last `trains_` map
+  world::CoasterKind kind_{};    // of those cars
   std::uint64_t cars_version_ = 1;
 };
 

@@ -173,8 +173,11 @@ ShadowDrawStats SweptTrack::cast(const glm::mat4& light, float texel_metres, boo
   return {draw_calls(cast_), triangles(cast_)};
 }
 
-SweptTrack::PieceBatch::PieceBatch(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners)
-    : vertices(gl), indices(gl), pieces(gl), array(make_vertex_array(gl)), index_count(GLsizei(corners.size())) {
+SweptTrack::PieceBatch::PieceBatch(const Gl& gl)
+    : vertices(gl), indices(gl), pieces(gl), array(make_vertex_array(gl)) {}
+
+void SweptTrack::PieceBatch::fill(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners) {
+  index_count = GLsizei(corners.size());
   vertices.fill(mesh.vertices);
   indices.fill(corners);
   gl.BindVertexArray(array.id());
@@ -185,12 +188,20 @@ SweptTrack::PieceBatch::PieceBatch(const Gl& gl, const sim::Mesh& mesh, const st
   gl.BindVertexArray(0);
 }
 
-SweptTrack::SweptTrack(const Gl& gl)
-    : gl_(&gl), rows_([&]() -> ByKind<PieceBatch> {
-        const sim::TrackPieces meshes = sim::track_pieces();
-        return {PieceBatch(gl, meshes.tubes, meshes.tubes.indices), PieceBatch(gl, meshes.caps, meshes.caps.indices),
-                PieceBatch(gl, meshes.tubes, meshes.tubes.coarse), PieceBatch(gl, meshes.tie, meshes.tie.indices)};
-      }()) {}
+SweptTrack::SweptTrack(const Gl& gl) : gl_(&gl), rows_{PieceBatch(gl), PieceBatch(gl), PieceBatch(gl), PieceBatch(gl)} {
+  take_kind({});
+}
+
+void SweptTrack::take_kind(world::CoasterKind kind) {
+  if (kind_ == kind) return;
+  kind_ = kind;
+  const sim::TrackPieces meshes = sim::track_pieces(sim::form_of(kind));
+  rows_[kTubes].fill(*gl_, meshes.tubes, meshes.tubes.indices),
+      rows_[kCaps].fill(*gl_, meshes.caps, meshes.caps.indices);
+  rows_[kFarTubes].fill(*gl_, meshes.tubes, meshes.tubes.coarse),
+      rows_[kTies].fill(*gl_, meshes.tie, meshes.tie.indices);
+  reach_ = {-1, -1};
+}
 
 void SweptTrack::stage(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment) {
   for (std::vector<SweptPiece>& pieces : staged_) pieces.clear();
@@ -202,7 +213,7 @@ void SweptTrack::stage(const sim::SegmentShape& shape, const sim::SolidsDetail& 
     staged_[kFarTubes].push_back(piece_between(rings[i], rings[std::min(i + 2, last)], segment));
   staged_[kCaps] = {piece_at(turned(rings[0]), 0, segment), piece_at(rings[last], 0, segment)};
   for (const sim::Ring& at : sim::tie_rings(shape, detail))
-    staged_[kTies].push_back(piece_at(at, sim::kHalfTie, segment));
+    staged_[kTies].push_back(piece_at(at, sim::form_of(shape).half_tie, segment));
 }
 
 void SweptTrack::stage_far(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment) {
@@ -240,7 +251,7 @@ void SweptTrack::put(PieceBatch& row, Range range, std::vector<SweptPiece>& piec
 }
 
 void SweptTrack::measure(Segment& segment) const {
-  constexpr float kReach = 1.2f;  // m, contains everything about a ring
+  const auto reach = static_cast<float>(sim::form_of(*kind_).reach);
   glm::vec3 low(3e38f), high(-3e38f);
   for (const std::size_t kind : {kTubes, kCaps, kFarTubes})
     for (const SweptPiece& piece : staged_[kind])
@@ -248,7 +259,7 @@ void SweptTrack::measure(Segment& segment) const {
       high = glm::max(high, glm::max(piece.origin, piece.next_origin));
   if (staged_[kFarTubes].empty()) low = high = glm::vec3(0);
   segment.middle = 0.5f * low + 0.5f * high;
-  segment.radius = 0.5f * glm::distance(low, high) + kReach;
+  segment.radius = 0.5f * glm::distance(low, high) + reach;
   segment.far = staged_[kTubes].empty();
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gfx/growing_buffer.h"
@@ -35,6 +36,8 @@ class SweptTrack {
 
   // Writes the pieces of a segment, into its old ranges if they fit there; an id of kNone is a new segment. stage()
   // prepares them outside GL. Returns the bytes written.
+  // Sweeps the pieces of this kind from now on. Those of all segments must be written again after a change.
+  void take_kind(world::CoasterKind kind);
   void stage(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment);
   // Does the same for a far segment, of which only a straight piece is visible, with the same rings at its ends.
   void stage_far(const sim::SegmentShape& shape, const sim::SolidsDetail& detail, std::uint32_t segment);
@@ -79,7 +82,8 @@ class SweptTrack {
   };
   // A mesh and its instances.
   struct PieceBatch {
-    PieceBatch(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners);
+    explicit PieceBatch(const Gl& gl);
+    void fill(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners);
     GrowingBuffer<sim::MeshVertex> vertices;
     GrowingBuffer<std::uint32_t> indices;
     GrowingBuffer<SweptPiece> pieces;
@@ -108,6 +112,7 @@ class SweptTrack {
   std::int64_t triangles(const Runs& runs) const;
 
   const Gl* gl_;
+  std::optional<world::CoasterKind> kind_;  // of the meshes
   ByKind<PieceBatch> rows_;
   std::vector<Segment> segments_;
   std::vector<Id> free_;

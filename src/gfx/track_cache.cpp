@@ -9,7 +9,7 @@
 namespace coaster::gfx {
 
 SupportCache::UploadStats SupportCache::sync(const sim::Supports* supports, const sim::Clock& clock,
-                                             const std::vector<std::uint8_t>* near) {
+                                             const std::vector<std::uint8_t>* near, world::CoasterKind kind) {
   UploadStats synced;
   ++stamp_;
   Stopwatch watch{clock};
@@ -28,7 +28,10 @@ SupportCache::UploadStats SupportCache::sync(const sim::Supports* supports, cons
         mesh_.release(slot.mesh);
         continue;
       }
-      watch.time([&] { sim::build_support_mesh(wanted, staged_); });
+      watch.time([&] {
+        sim::build_support_mesh(wanted, sim::form_of(kind), staged_);
+        for (sim::MeshVertex& vertex : staged_.vertices) vertex.segment = static_cast<float>(segment.index);
+      });
       mesh_.write(staged_, slot.mesh, watch);
       ++synced.uploads;
     }
@@ -57,6 +60,7 @@ TrackCache::TrackCache(const Gl& gl)
 TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
+  swept_.take_kind(derived.made.kind);
   Stopwatch watch{clock};
   auto changes = derived.changes_since(last_build_);
   if (!(evaluation_ == derived.made.evaluation)) changes.reset();

@@ -32,7 +32,7 @@ class SupportCache {
   // null: draws none. If nothing changed, costs one comparison for each segment that may have supports.
   // `near`: by the index of a segment's entity, whether its supports are held; null: all are.
   UploadStats sync(const sim::Supports* supports, const sim::Clock& clock,
-                   const std::vector<std::uint8_t>* near = nullptr);
+                   const std::vector<std::uint8_t>* near = nullptr, world::CoasterKind kind = {});
 
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }

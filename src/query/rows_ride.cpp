@@ -187,6 +187,20 @@ Answer equipped(const QueryContext& c, View argument) {
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
 }
 
+// Paint in words: the palette with exactly these colours.
+Answer paint(const QueryContext& c, View) {
+  const auto palette = world::palette_of(c.session.document.paint);
+  return text(palette ? base::name_of(*palette) : "mixed");
+}
+Answer paint_colour(const QueryContext& c, View argument) {
+  return text(world::to_text(c.session.document.paint.of(*base::value_named<world::PaintPart>(argument))));
+}
+std::vector<std::string> palettes() {
+  std::vector<std::string> words = base::names_of<world::Palette>();
+  words.emplace_back("mixed");
+  return words;
+}
+
 std::vector<std::string> loss_sets() {
   std::vector<std::string> words = base::names_of<world::LossSet>();
   words.emplace_back("own");
@@ -252,6 +266,12 @@ constexpr Query kSimulatedRows[]{
      of_document<&world::Document::heartline>},
     {"curve", "", "What the track's curve is: rails or heartline.", of_document<&world::Document::curve>,
      kOneOf<world::TrackCurve>},
+    {"kind", "", "Kind of coaster: steel, wooden, inverted, mine or kiddie.", of_document<&world::Document::kind>,
+     kOneOf<world::CoasterKind>},
+    {"paint", "", "Palette of the track's paint: own for the kind's usual one, mixed for other colours.", paint,
+     texts(palettes)},
+    {"paint.colour", kWordOf<world::PaintPart>, "", "Colour of a part's paint, #d9452f; own without one.", paint_colour,
+     kText},
     {"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Train::cars>},
     {"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Train::length>},
     {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Train::mass>},

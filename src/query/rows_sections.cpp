@@ -34,6 +34,12 @@ Answer section_title(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::EntityKind::section,
                    [&](world::Entity e) { return world::title_of(world::section(c.session.document, e)); });
 }
+Answer section_paint(const QueryContext& c, View argument) {
+  return of_entity(c, argument, world::EntityKind::section, [&](world::Entity e) {
+    const auto palette = world::palette_of(world::section(c.session.document, e).paint);
+    return std::string(palette ? base::name_of(*palette) : "mixed");
+  });
+}
 Answer section_segments(const QueryContext& c, View argument) {
   return of_run(c, argument, [](const world::SectionRun& run) { return run.count; });
 }
@@ -87,6 +93,8 @@ constexpr Query kSectionRows[]{
     {"section.kind", kSection, "", "What a section was planned as, such as loop; free if shaped by hand.", section_kind,
      texts(kinds)},
     {"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
+    {"section.paint", kSection, "", "Palette of a section's paint: own for the track's, mixed for other colours.",
+     section_paint, kText},
     {"section.value", kSectionParameter, "",
      "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
      section_value, or_none({ValueType::parameter})},

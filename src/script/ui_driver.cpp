@@ -94,10 +94,10 @@ Status UiDriver::check(std::string_view path, bool on) {
 }
 
 Status UiDriver::type(std::string_view path, std::string_view text) {
-  if (Status reached = reach_a({"text", "number", "slider", "cell"}, "field, slider or cell", path); !reached)
+  if (Status reached = reach_a({"text", "number", "slider", "cell", "colour"}, "field, slider or cell", path); !reached)
     return reached;
   const platform::Modifiers ctrl{false, true, false};
-  const bool plain = widget_.kind == "text" || widget_.kind == "cell";
+  const bool plain = widget_.kind == "text" || widget_.kind == "cell" || widget_.kind == "colour";
   if (Status opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
   if (widget_.kind == "cell")  // a double click opens it, and its field takes the keyboard a frame later
     if (Status opened = press_and_release({}); !opened || !(opened = frame({}))) return opened;

@@ -13,6 +13,7 @@
 #include "sim/ride/train.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/rails.h"
+#include "sim/solids/coaster_form.h"
 #include "world/camera_feel.h"
 
 namespace coaster::view {
@@ -23,31 +24,41 @@ using glm::dvec3;
 constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
 constexpr double kLookOver = 0.9;                                                // m above the rails
 constexpr double kElevation = 0.30;  // rad above the horizon on level track; less uphill, more downhill
+constexpr double kHanging = 0.25;    // rad, most above and below a train that hangs
 constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
-constexpr double kBeside = 0.26;     // rad to the train's left, so that its side shows and the rails do not hide it
-constexpr double kBesideOver = 0.6;  // rad more while it is upside down: shows a loop from the side
-constexpr double kPerTrain = 0.6;    // m of distance per metre of train
-constexpr double kOverGround = 1.2;  // m
-constexpr double kClear = 2.4;       // m from the track that the eye keeps if possible
-constexpr double kSightClear = 1.3;  // m from the track that the first half of the line of sight keeps
+constexpr double kBeside = 0.26;         // rad to the train's left, so that its side shows and the rails do not hide it
+constexpr double kBesideHanging = 0.75;  // the same for a train that hangs
+constexpr double kBesideOver = 0.6;      // rad more while it is upside down: shows a loop from the side
+constexpr double kPerTrain = 0.6;        // m of distance per metre of train
+constexpr double kOverGround = 1.2;      // m
+constexpr double kClear = 2.4;           // m from the track that the eye keeps if possible
+constexpr double kSightClear = 1.3;      // m from the track that the first half of the line of sight keeps
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double elevation_of(const RiddenTrain& ridden) {
+// A train that hangs below its rails is seen from its own height: from above, the spine hides it.
+bool hangs(const CameraSubject& w) { return sim::form_of(w.derived.made.kind).side < 0; }
+
+double elevation_of(const CameraSubject& w, const RiddenTrain& ridden) {
   const double slope = std::asin(std::clamp(ridden.middle.frame.forward.y, -1.0, 1.0));
-  return std::clamp(kElevation - kBySlope * slope, kLowest, kHighest);
+  const double over = kElevation - kBySlope * slope;
+  return hangs(w) ? std::clamp(over - kElevation, -kHanging, kHanging) : std::clamp(over, kLowest, kHighest);
 }
 
-double beside_of(const RiddenTrain& ridden) {
-  return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4);
+double beside_of(const CameraSubject& w, const RiddenTrain& ridden) {
+  return (hangs(w) ? kBesideHanging : kBeside) +
+         kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4);
 }
 
-dvec3 looked_at(const RiddenTrain& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
+dvec3 looked_at(const CameraSubject& w, const RiddenTrain& ridden) {
+  const double over = hangs(w) ? sim::form_of(w.derived.made.kind).eye : kLookOver;
+  return ridden.middle.position + dvec3(0, over, 0);
+}
 
 dvec3 place(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
   const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
                b = rig.beside.value;
-  dvec3 eye = looked_at(ridden) +
+  dvec3 eye = looked_at(w, ridden) +
               distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
   eye.y = std::max(eye.y, kOverGround);
   return eye;
@@ -136,7 +147,9 @@ Eye ride(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, doub
       kWideningLag, dt);
   rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
   Eye eye;
-  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
+  eye.position = ridden.front.position +
+                 (static_cast<float>(sim::form_of(w.derived.made.kind).eye) + rig.bob.value.y) * frame.up +
+                 rig.bob.value.z * frame.left();
   eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
   eye.field_of_view_deg =
       std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
@@ -263,21 +276,21 @@ NearestTrack nearest_track(const sim::DerivedTrack& derived, dvec3 from, double 
 }
 
 void settle_chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
-  rig.elevation.settle(elevation_of(ridden));
-  rig.beside.settle(beside_of(ridden));
-  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
+  rig.elevation.settle(elevation_of(w, ridden));
+  rig.beside.settle(beside_of(w, ridden));
+  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(w, ridden)));
 }
 
 Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, double dt) {
   rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
-  rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
-  rig.beside.approach(beside_of(ridden), kElevationLag, dt);
+  rig.elevation.approach(elevation_of(w, ridden), kElevationLag, dt);
+  rig.beside.approach(beside_of(w, ridden), kElevationLag, dt);
   const dvec3 wanted = place(rig, w, ridden);
-  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(ridden)), kAsideLag, dt);
+  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(w, ridden)), kAsideLag, dt);
   Eye eye;
   eye.position = wanted + rig.aside.value;
   eye.position.y = std::max(eye.position.y, kOverGround);
-  const dvec3 to = looked_at(ridden) - eye.position;
+  const dvec3 to = looked_at(w, ridden) - eye.position;
   const double distance = glm::length(to);
   eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();
   eye.up = {0, 1, 0};

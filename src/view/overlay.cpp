@@ -33,6 +33,7 @@ using sim::ElementPoint;
 
 constexpr std::uint32_t kRimColour = 0x1b1f2766;
 constexpr double kDashPx = 9;        // px, also of the gaps
+constexpr double kTieLines = 1.5;    // m between the lines that stand for ties
 constexpr double kPlumbSpacing = 8;  // m along the track; more for long elements
 constexpr double kLeastPlumb = 0.5;  // m above the ground
 
@@ -92,7 +93,7 @@ struct PreviewDrawing {
 // Adds rails as short lines, a tie at every other step, and plumb lines.
 void add_rails(const PreviewDrawing& sketch) {
   const sim::ElementPlan& plan = sketch.plan;
-  const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
+  const double step = std::max(kTieLines / 2, plan.length / kMaxElementSteps);
   const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
   const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
   ArcLengthInterpolator sample(plan.ideal.points);

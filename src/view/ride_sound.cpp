@@ -47,7 +47,8 @@ struct SpeedFilters {
 constexpr int kToneFrames = 32;
 
 SpeedFilters tone_of(const RideNoise& heard, int rate) {
-  constexpr double kFast = 35;  // m/s, speed of the loudest wind
+  constexpr double kFast = 35;       // m/s, speed of the loudest wind
+  constexpr double kBrighter = 0.9;  // of wheels on wood
   const double speed = heard.speed, part = std::min(speed / kFast, 1.3);
   SpeedFilters tone;
   // A wide resonance that rises with speed: 280 Hz at rest, 1 kHz at 30 m/s; half the amplitude is left after one
@@ -55,7 +56,7 @@ SpeedFilters tone_of(const RideNoise& heard, int rate) {
   const double hertz = 280 + 24 * speed;
   tone.wind = ring(hertz, 0.6 / hertz, rate);
   tone.wind_gain = 0.34 * part * part;
-  tone.wheel_pole = 1 - std::exp(-kTurn * (70 + 5 * speed) / rate);
+  tone.wheel_pole = 1 - std::exp(-kTurn * (70 + 5 * speed) * (1 + kBrighter * heard.rumble) / rate);
   tone.wheel_gain = 3.2 * std::pow(std::min(speed / kFast, 1.3), 0.8) * (0.55 + 0.45 * std::min(heard.load, 3.0));
   return tone;
 }
@@ -92,7 +93,7 @@ double bounded(double x) {
 RideNoise ride_noise(const world::Document& document, const sim::DerivedTrack& derived, const world::Motion& motion,
                      double volume) {
   RideNoise noise;
-  noise.volume = volume;
+  noise.volume = volume, noise.rumble = base::row_of(document.kind).rumble;
   const world::Entity cart = world::first_cart(document);
   const world::TrainMotion* const moving = motion.carts.find(cart);
   const world::Train* const design = document.entities.find<world::Train>(cart);
@@ -112,9 +113,12 @@ RideNoise ride_noise(const world::Document& document, const sim::DerivedTrack& d
 }
 
 void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<float> out) {
-  constexpr double kSlow = 0.03, kMostSpeed = 150, kWheelRound = 1.1;  // s, m/s, m
+  // On wood the wheels knock at each tie.
+  constexpr double kSlow = 0.03, kMostSpeed = 150, kWheelRound = 1.1, kTieRound = 0.9;  // s, m/s, m, m
+  constexpr double kSwing = 0.2, kKnock = 0.3;
   const RideNoise wanted{finite(noise.speed, 0, kMostSpeed), finite(noise.rack, 0, kMostSpeed),
-                         finite(noise.load, 0, 10), finite(noise.volume, 0, 1)};
+                         finite(noise.load, 0, 10), finite(noise.volume, 0, 1), finite(noise.rumble, 0, 1)};
+  const double round = kWheelRound + wanted.rumble * (kTieRound - kWheelRound), swing = kSwing + kKnock * wanted.rumble;
   const double nearer = 1 - std::exp(-1 / (kSlow * rate));
   std::array<RingFilter, 3> rings{};
   for (std::size_t i = 0; i < rings.size(); ++i) rings[i] = ring(kSteel[i].hertz, kSteel[i].decay, rate);
@@ -124,14 +128,15 @@ void synthesise(RideVoice& voice, const RideNoise& noise, int rate, std::span<fl
     heard.speed += nearer * (wanted.speed - heard.speed);
     heard.load += nearer * (wanted.load - heard.load);
     heard.volume += nearer * (wanted.volume - heard.volume);
+    heard.rumble = wanted.rumble;
     heard.rack = wanted.rack;  // clicks are counted by distance: no smoothing needed
     if (voice.frames++ % kToneFrames == 0) tone = tone_of(voice.toned = heard, rate);
-    voice.turn += heard.speed / (kWheelRound * rate);
+    voice.turn += heard.speed / (round * rate);
     voice.turn -= std::floor(voice.turn);
     double in = white(voice.seeds[0]);
     const double shared = in;
     for (double& low : voice.low) in = low += tone.wheel_pole * (in - low);
-    const double wheels = tone.wheel_gain * in * (0.8 + 0.2 * std::sin(kTurn * voice.turn));
+    const double wheels = tone.wheel_gain * in * (1 - swing + swing * std::sin(kTurn * voice.turn));
     const double teeth = clack(voice, rings, rate);
     const double other = white(voice.seeds[1]);
     const std::array<double, 2> noises{0.8 * shared + 0.6 * other, 0.8 * shared - 0.6 * other};

@@ -20,6 +20,7 @@ struct RideNoise {
   double rack = 0;    // m/s over a lift's rack; 0: not on a rack
   double load = 1;    // g on the wheels, absolute
   double volume = 0;  // 0..1
+  double rumble = 0;  // of the wheels, by the coaster's kind, 0..1
   friend bool operator==(const RideNoise&, const RideNoise&) = default;
 };
 

@@ -28,7 +28,7 @@ struct Field {
   int since = 0;  // later fields of one number count in hashes where one of them is unusual, so that older documents
                   // keep their hashes; 0 always counts
 };
-inline constexpr std::size_t kMostSince = 4;
+inline constexpr std::size_t kMostSince = 6;
 
 template <class T>
 concept HasFields = requires {

@@ -11,6 +11,7 @@
 #include "world/element.h"
 #include "world/entity.h"
 #include "world/force_program.h"
+#include "world/paint.h"
 #include "world/registry.h"
 
 namespace coaster::world {
@@ -131,8 +132,12 @@ struct Section {
   Element element = {};      // element and parameters, if it was planned as one; else the default
   ClosingPlan closing = {};  // if it completes a circuit; else the default
   ForceProgram force = {};   // if it is a force section; else the default
+  Paint paint = {};          // where it differs from the track's
   // Not the plan: files and hashes use the names of kind and parameters.
-  static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
+  static constexpr void fields(auto visit) {
+    visit(Field{"title"}, &Section::title);
+    visit(Field{"", 0, 0, FilePresence::unusual, 1}, &Section::paint);
+  }
   std::size_t list_bytes() const { return force.list_bytes(); }
   friend bool operator==(const Section&, const Section&) = default;
 };

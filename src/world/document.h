@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "curve/cubic.h"
+#include "world/coaster_kind.h"
 #include "world/components.h"
 
 namespace coaster::world {
@@ -37,7 +38,9 @@ struct Document {
   double heartline = 1.1;         // m above the rails, height of the riders' hearts, for which forces are given
   bool rollback_fails = true;     // true: a rollback ends the ride
   TrackCurve curve = TrackCurve::rails;
-  UnknownMembers extra;                                                   // unknown top-level members of the file
+  CoasterKind kind = CoasterKind::steel;
+  Paint paint;           // of the track and its trains; its sections may have their own
+  UnknownMembers extra;  // unknown top-level members of the file
   std::array<std::uint32_t, base::count_of<EntityKind>()> last_number{};  // by EntityKind: the last number assigned
   // The fields that determine how the track is ridden.
   static constexpr void fields(auto visit) {
@@ -47,6 +50,8 @@ struct Document {
     visit(Field{"heartline", -kMaxHeartline, kMaxHeartline, FilePresence::unusual, 2}, &Document::heartline);
     visit(Field{"rollback_fails", 0, 0, FilePresence::unusual, 3}, &Document::rollback_fails);
     visit(Field{"curve", 0, 0, FilePresence::unusual, 4}, &Document::curve);
+    visit(Field{"kind", 0, 0, FilePresence::unusual, 5}, &Document::kind);
+    visit(Field{"", 0, 0, FilePresence::unusual, 6}, &Document::paint);
   }
   friend bool operator==(const Document&, const Document&) = default;
 };

@@ -48,6 +48,12 @@ std::optional<SectionRun> completing(const Document& document, std::size_t knot)
   return std::nullopt;
 }
 
+Section without_plan(const Section& section) {
+  Section shaped;
+  shaped.title = section.title, shaped.paint = section.paint;
+  return shaped;
+}
+
 std::string_view kind_name(const Section& section) {
   return section.kind == SectionKind::element ? base::name_of(section.element.kind) : base::name_of(section.kind);
 }

@@ -36,6 +36,7 @@ void add_component(base::Hasher& hasher, const Document& document, const T& comp
   add_fields(component, [&](const auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, Entity>) hasher.add(number_of(document, value));
+    else if constexpr (std::is_same_v<Value, Colour>) hasher.add(value.rgb);
     else if constexpr (HasFields<Value>) add_component(hasher, document, value);
     else hasher.add(value);
   });

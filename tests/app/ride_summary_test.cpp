@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "edit/session/ride_report.h"
 #include "edit/session_fixture.h"
 #include "sim/ride/ride.h"
 #include "sim/tracks.h"

@@ -74,6 +74,7 @@ class RandomCommands {
   void fill(int& v) { v = static_cast<int>(below(2000)) - 1000; }
   void fill(std::int64_t& v) { v = static_cast<std::int64_t>(bits_()) * 1000 - 7; }
   void fill(bool& v) { v = below(2) == 1; }
+  void fill(world::Colour& v) { v.rgb = below(3) == 0 ? -1 : static_cast<std::int32_t>(below(0x1000000)); }
   void fill(edit::Flag& v) { v.set = below(2) == 1; }
   void fill(std::string& v) {
     constexpr std::string_view kLetters = "ab \"\\#@'\n.";

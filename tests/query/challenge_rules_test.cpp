@@ -206,7 +206,7 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   ASSERT_EQ(session.game.challenge->judged, 1u);
   // Against the simulated ride's raw forces, low-passed and searched here.
   const sim::SimulatedRide* const simulated = edit::SessionFindings(session).ride();
-  const std::vector<float> side = sim::pressed(*simulated, 0, sim::ForceAxis::side, session.limits.envelope.cutoff);
+  const std::vector<float> side = sim::pressed(*simulated, 0, sim::ForceAxis::side, edit::force_limits(session).cutoff);
   const auto most = std::max_element(side.begin(), side.end());
   const double place = simulated->distance(static_cast<std::size_t>(most - side.begin()) * sim::kForceEvery);
   ASSERT_TRUE(session.game.challenge->last.place);

@@ -85,7 +85,8 @@ TEST_F(JointsQueryTest, the_ride_g_step_is_at_the_fastest_passage_of_all_cars) {
 
 TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
   good("start_speed 20");
-  std::vector<sim::Jolt> expected = sim::jolts(*edit::SessionFindings(session).ride(), session.limits.envelope.cutoff);
+  std::vector<sim::Jolt> expected =
+      sim::jolts(*edit::SessionFindings(session).ride(), edit::force_limits(session).cutoff);
   expected.resize(5);
   double most = 0;
   for (std::size_t i = 1; i < 4; ++i) {

@@ -130,6 +130,9 @@ std::string print_value(glm::vec3 v) {
   return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
 }
 std::string print_value(bool value) { return value ? "on" : "off"; }
+std::string print_value(world::Colour value) {
+  return value.own() ? base::quoted(world::to_text(value)) : world::to_text(value);
+}
 std::string print_value(const std::string& value) { return base::quoted(value); }
 
 std::string words_of(const Target& value, const world::Document& document) {
@@ -193,6 +196,16 @@ bool read_value(base::WordReader& words, Target& value) {
   const auto name = read_name(word->text);
   if (!name) return words.reject(kExpected);
   value.name = *name;
+  return true;
+}
+
+bool read_value(base::WordReader& words, world::Colour& value) {
+  constexpr std::string_view kExpected = "a colour such as \"#d9452f\", or own";
+  const base::Token* const word = words.take(kExpected);
+  if (!word) return false;
+  const auto colour = world::parse_colour(word->text);
+  if (!colour) return words.reject(kExpected);
+  value = *colour;
   return true;
 }
 

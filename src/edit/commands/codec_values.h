@@ -18,6 +18,7 @@
 #include "world/document.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
+#include "world/paint.h"
 
 namespace coaster::edit {
 
@@ -35,6 +36,7 @@ std::string print_value(const CameraChange& value);
 std::string print_value(const exchange::ImportOptions& value);  // "" for the default
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
+std::string print_value(world::Colour value);  // "\"#d9452f\"", because # begins a comment
 std::string print_value(const std::string& value);
 std::string print_value(const world::Element& value);  // "loop left height 16 ..."
 inline std::string print_value(std::floating_point auto value) { return base::to_text(value); }
@@ -53,6 +55,7 @@ inline std::string words_of(const CameraChange& value) { return print_value(valu
 inline std::string words_of(const exchange::ImportOptions& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);
 std::string words_of(const world::Element& value);
+inline std::string words_of(world::Colour value) { return world::to_text(value); }
 inline std::string words_of(bool value) { return print_value(value); }
 inline std::string words_of(const std::string& value) { return print_value(value); }
 inline std::string words_of(const Flag&) { return {}; }
@@ -73,6 +76,7 @@ bool read_value(base::WordReader& words, double& value);
 bool read_value(base::WordReader& words, int& value);
 bool read_value(base::WordReader& words, std::int64_t& value);
 bool read_value(base::WordReader& words, bool& value);
+bool read_value(base::WordReader& words, world::Colour& value);
 bool read_value(base::WordReader& words, std::string& value);
 bool read_value(base::WordReader& words,
                 world::Element& value);  // reads to the end of the line; missing values get their defaults
@@ -88,6 +92,7 @@ inline std::string usage_of(const exchange::ImportOptions&) {
   return "[up x|y|z] [scale NUMBER] [smooth NUMBER] [bank level|auto] [origin]";
 }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
+inline std::string usage_of(world::Colour) { return "\"#d9452f\"|own"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }
 inline std::string usage_of(const std::string&) { return "\"TEXT\""; }

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "edit/commands/command.h"
 #include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_coaster.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_force_sections.h"
@@ -34,9 +35,9 @@ auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
 using Commands =
-    decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() + SectionCommands() +
-             ForceCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() +
-             SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
+    decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + CoasterCommands() + ElementCommands() +
+             SectionCommands() + ForceCommands() + SeekCommands() + SettingsCommands() + LabCommands() +
+             RideCommands() + SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
 

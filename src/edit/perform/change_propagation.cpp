@@ -168,7 +168,7 @@ void free_hand_shaped(const std::vector<PlannedSection>& before, Session& sessio
     if (was == before.end() || !(was->value == section) || comparison.keeps_its_plan(was->run, run)) continue;
     if (std::find(change.planned.begin(), change.planned.end(), run.section) != change.planned.end()) continue;
     freed.push_back(world::words_of(section));
-    section = {section.title};
+    section = world::without_plan(section);
   }
   if (freed.empty()) return;
   if (!change.note.empty()) change.note += ' ';

@@ -56,7 +56,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.settings.selected = world::kNone, session.settings.also.clear();
   session.settings.aids->append_mode = false;
   session.file.path = std::move(path);
-  session.file.version = exchange::kTrackVersion;
+  session.file.version = exchange::version_of(session.document);
   session.file.import.reset();
   session.file.content.reset();
   session.game.challenge.reset();
@@ -120,9 +120,9 @@ Status perform(Session& session, Change& change, const Save& command) {
     session.file.content = content;
   }
   change.note = fmt::format("{} {}", whole ? "Saved" : "Exported", command.path);
-  if (whole && std::exchange(session.file.version, exchange::kTrackVersion) < exchange::kTrackVersion)
-    change.note += fmt::format(" in version {} of the format, which older versions of this program refuse.",
-                               exchange::kTrackVersion);
+  const int version = exchange::version_of(session.document);
+  if (whole && std::exchange(session.file.version, version) < version)
+    change.note += fmt::format(" in version {} of the format, which older versions of this program refuse.", version);
   return {};
 }
 Status perform(Session& session, Change& change, const SaveMeasurements& command) {
@@ -137,7 +137,7 @@ Status perform(Session& session, Change& change, const SaveReport& command) {
 Status perform(Session& session, Change& change, const LoadForceLimits& command) {
   base::Result<exchange::LoadedForceLimits> loaded = exchange::load_envelope(change.files, command.path);
   if (!loaded) return loaded.status();
-  session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
+  session.limits.loaded = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
   ++session.limits.serial;
   warn(session, loaded->warnings);
   change.note = fmt::format("Force limits: {}. Not a compliance check.", session.limits.name);

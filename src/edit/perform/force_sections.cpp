@@ -280,7 +280,7 @@ Status perform(Session& session, Change&, const FreeForceSection& command) {
   const auto section = force_section(session, command.section);
   if (!section) return section.status();
   world::Section& value = session.document.entities.get<world::Section>(*section);
-  value = {value.title};
+  value = world::without_plan(value);
   return {};
 }
 
@@ -304,9 +304,9 @@ Status perform(Session& session, Change& change, const MakeForceSection& command
   const sim::ForcePlan& plan = force_plans_of(session).plan(reading.plan.task);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
   Document next = document;
-  const Entity section = world::make_section(
-      next, run.first, run.count,
-      {world::section(document, run.section).title, world::SectionKind::force, {}, {}, plan.task.program});
+  world::Section made = world::without_plan(world::section(document, run.section));
+  made.kind = world::SectionKind::force, made.force = plan.task.program;
+  const Entity section = world::make_section(next, run.first, run.count, std::move(made));
   const bool follows = document.track.closed || run.end() < document.track.segments.size();
   reshape(next, section, plan.fit.spans, follows ? SectionEnd::stays : SectionEnd::open);
   change.select = section;

@@ -345,7 +345,8 @@ Status replan_element(Session& session, Change& change, Document& document, Enti
   if (!put) return put;
   equip_again(document, plan, world::run_of(document, section));
   world::Section& value = document.entities.get<world::Section>(section);
-  value = {value.title, world::SectionKind::element, world::limited(plan.element)};
+  value = world::without_plan(value);
+  value.kind = world::SectionKind::element, value.element = world::limited(plan.element);
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0)
     change.clamped.push_back(fmt::format("The section goes {:.1f} m below the ground.", -plan.lowest));

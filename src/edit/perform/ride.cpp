@@ -89,7 +89,7 @@ Status perform(Session& session, Change& change, const StartChallenge& command) 
   if (session.game.referee.check)
     if (const Status readable = session.game.referee.check(loaded->challenge, command.path); !readable) return readable;
   start_over(session, loaded->challenge.start, {});
-  session.limits.envelope = sim::default_envelope(), session.limits.name = "default";
+  session.limits.loaded.reset(), session.limits.name = "default";
   ++session.limits.serial;
   session.game.challenge.emplace();
   session.game.challenge->shape = sim::trace_of(session.document);

@@ -117,8 +117,9 @@ Status swap_runs(Document& document, const SectionRun& run, const SectionRun& ne
 
 // Returns the section as it is without the track around it: a closing section becomes free.
 world::Section alone(world::Section section) {
-  if (section.kind == world::SectionKind::complete) section = {world::title_of(section)};
-  return section;
+  if (section.kind != world::SectionKind::complete) return section;
+  section.title = world::title_of(section);
+  return world::without_plan(section);
 }
 
 // Returns a track of only this section.
@@ -154,6 +155,11 @@ Status append_run(const Document& from, const SectionRun& run, Document& documen
   return {};
 }
 
+// Copies what a section looks like, but not its plan.
+void take_look(const world::Section& from, world::Section& section) {
+  section.title = from.title, section.paint = from.paint;
+}
+
 // Adds a section at the open end, planned again from there if it was planned. Its segments get the fittings of those of
 // the original; additional ones get those of the last.
 Status paste(Change& change, const Document& from, const SectionRun& run, Document& document) {
@@ -162,12 +168,12 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
   if (value.kind == world::SectionKind::element) {
     const sim::ElementPlan plan = sim::plan_element(value.element, document);
     if (!plan.refusal.empty()) return refused(plan.refusal);
-    document.entities.get<world::Section>(place(document, plan)).title = value.title;
+    take_look(value, document.entities.get<world::Section>(place(document, plan)));
     change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   } else if (const auto end = sim::open_end(document); end && value.kind == world::SectionKind::force) {
     const sim::ForcePlan plan = sim::plan_force(sim::force_task(document, *end, value.force));
     if (!plan.refusal.empty()) return refused(plan.refusal);
-    document.entities.get<world::Section>(place_force(document, plan)).title = value.title;
+    take_look(value, document.entities.get<world::Section>(place_force(document, plan)));
   } else if (const Status appended = append_run(from, run, document); !appended) {
     return appended;
   }
@@ -251,7 +257,9 @@ Status perform(Session& session, Change& change, const MakeSection& command) {
   if (runs.size() != 1 || count == 0) return refused("expected two or more neighbouring knots");
   if (first + count > document.track.segments.size())
     return refused("a section cannot continue beyond the first knot of a closed track");
-  change.select = world::make_section(document, first, count, {});
+  world::Section made;
+  made.paint = world::section(document, world::segment(document, document.track.segments[first]).section).paint;
+  change.select = world::make_section(document, first, count, std::move(made));
   return {};
 }
 
@@ -267,7 +275,9 @@ Status perform(Session& session, Change& change, const SplitSection& command) {
   if (at == 0 || !section.valid() || section_at(at - 1) != section)
     return refused(fmt::format("@{} is not inside a section", world::label_of(document, knot)));
   const SectionRun run = world::run_of(document, section);
-  change.select = world::make_section(document, at, run.end() - at, {});
+  world::Section rest;
+  rest.paint = world::section(document, section).paint;
+  change.select = world::make_section(document, at, run.end() - at, std::move(rest));
   return {};
 }
 
@@ -279,9 +289,9 @@ Status perform(Session& session, Change& change, const JoinSections& command) {
   if (run.end() == document.track.segments.size())
     return refused("there is no section after " + world::words_of(world::section(document, section)));
   const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
-  std::string title = world::section(document, section).title;
-  if (title.empty()) title = world::section(document, next.section).title;
-  change.select = world::make_section(document, run.first, run.count + next.count, {std::move(title), {}, {}});
+  world::Section joined = world::without_plan(world::section(document, section));
+  if (joined.title.empty()) joined.title = world::section(document, next.section).title;
+  change.select = world::make_section(document, run.first, run.count + next.count, std::move(joined));
   return {};
 }
 

@@ -41,7 +41,7 @@ const sim::Ratings& SessionFindings::ratings() const {
   static const sim::Ratings kNone;
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return kNone;
-  const sim::ForceLimitCurves& envelope = session_->limits.envelope;
+  const sim::ForceLimitCurves& envelope = force_limits(*session_);
   return memory().ratings.get({found->serial, session_->derived.last_build, envelope}, [&] {
     memory().passed.update(session_->derived);
     const sim::NearMisses misses = sim::near_misses(*found, session_->derived, &memory().passed);
@@ -52,14 +52,14 @@ const sim::Ratings& SessionFindings::ratings() const {
 std::span<const sim::Overload> SessionFindings::overloads() const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
-  const sim::ForceLimitCurves& envelope = session_->limits.envelope;
+  const sim::ForceLimitCurves& envelope = force_limits(*session_);
   return memory().overloads.get({found->serial, envelope}, [&] { return sim::red_spans(*found, envelope); });
 }
 
 std::span<const sim::Jolt> SessionFindings::jolts() const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
-  const double cutoff = session_->limits.envelope.cutoff;
+  const double cutoff = force_limits(*session_).cutoff;
   return memory().jolts.get({found->serial, cutoff}, [&] { return sim::jolts(*found, cutoff); });
 }
 
@@ -68,7 +68,7 @@ const sim::Riders* SessionFindings::riders_of(bool all) const {
   if (found == nullptr) return nullptr;
   const world::LabView& lab = *session_->settings.lab;
   const sim::CarRange cars = sim::cars_of(all ? world::Seat::all : lab.seat, lab.seat_car, found->start.cars);
-  memory().riders.update(*found, tables(), session_->derived, session_->limits.envelope.cutoff, cars);
+  memory().riders.update(*found, tables(), session_->derived, force_limits(*session_).cutoff, cars);
   return &memory().riders;
 }
 const sim::Riders* SessionFindings::seat() const { return riders_of(false); }
@@ -92,7 +92,7 @@ const sim::TrackValues& SessionFindings::values() const {
     const int middle = found->start.cars / 2;
     rider = sim::Rider{found, middle, {}, 0};
     if (value && sim::needs_samples(*value)) {
-      const double cutoff = session_->limits.envelope.cutoff;
+      const double cutoff = force_limits(*session_).cutoff;
       memory().riders.update(*found, tables(), session_->derived, cutoff, {middle, middle});
       rider = memory().riders.car(middle);
     }
@@ -166,7 +166,7 @@ const sim::CircuitProposals& SessionFindings::circuit() const {
 
 double SessionFindings::closing_jolt(std::size_t index) const {
   return memory().closing_jolts.worst(circuit(), index, session_->document, session_->edits, chosen_cart(*session_),
-                                      session_->limits.envelope.cutoff);
+                                      force_limits(*session_).cutoff);
 }
 
 const sim::ForcePlan* SessionFindings::force(world::Entity section) const {

@@ -98,6 +98,10 @@ std::string label_of(std::string_view command) {
 
 }  // namespace
 
+const sim::ForceLimitCurves& force_limits(const Session& session) {
+  return session.limits.loaded ? *session.limits.loaded : sim::default_envelope(session.document.kind);
+}
+
 std::string failure_text(const Session& session) {
   const world::RideFailure& failure = session.motion.failure;
   if (failure.kind == world::FailureKind::none) return {};

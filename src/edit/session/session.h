@@ -71,13 +71,13 @@ struct DocumentFile {
   std::filesystem::path path;                    // empty if there is none
   std::uint64_t saved_hash = 0;                  // hash of the document when last loaded, saved or created
   std::optional<std::uint64_t> content;          // hash of the file's bytes as this program last read or wrote them
-  int version = exchange::kTrackVersion;         // version of the format that was loaded
+  int version = 3;                               // of the format that was loaded or saved last
   std::optional<exchange::ImportReport> import;  // how closely the document, as it was loaded, fits the imported file
 };
 
 // The force limits that rides are checked against; not a compliance check.
 struct ForceLimits {
-  sim::ForceLimitCurves envelope = sim::default_envelope();
+  std::optional<sim::ForceLimitCurves> loaded;  // none: the default ones of the coaster's kind
   std::string name = "default";
   std::uint64_t serial = 0;  // increases with each loaded envelope
 };
@@ -150,6 +150,8 @@ void advance_measurement(Session& session);
 // train.
 world::Entity chosen_cart(const Session& session);
 
+// Returns the force limits in use.
+const sim::ForceLimitCurves& force_limits(const Session& session);
 // Returns "Train c1 stalled at 132.4 m, 2.1 m below the top at 141.0 m: ...", as the score card says it; empty if the
 // ride has not failed.
 std::string failure_text(const Session& session);

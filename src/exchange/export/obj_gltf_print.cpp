@@ -32,14 +32,35 @@ struct SolidPart {
   std::vector<std::uint32_t> indices;
 };
 
+constexpr std::string_view kTimber = "timber";
 constexpr glm::vec3 kLineColour{1, 0.8f, 0};  // of the centre line
 
+// Returns linear light of a colour on the screen.
+glm::vec3 linear(world::Colour colour) {
+  glm::vec3 light;
+  for (int i = 0; i < 3; ++i) {
+    const float c = static_cast<float>(colour.rgb >> (16 - 8 * i) & 255) / 255.0f;
+    light[i] = c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  }
+  return light;
+}
+
 struct TrackSolid {
-  std::array<SolidPart, 6> parts{
+  std::array<SolidPart, 7> parts{
       SolidPart{"rails", {0.75f, 0.1f, 0.08f}},    SolidPart{"spine", {0.2f, 0.25f, 0.35f}},
       SolidPart{"ties", {0.45f, 0.47f, 0.5f}},     SolidPart{"equipment", {0.3f, 0.33f, 0.36f}},
-      SolidPart{"supports", {0.8f, 0.81f, 0.83f}}, SolidPart{"concrete", {0.46f, 0.48f, 0.46f}}};
+      SolidPart{"supports", {0.8f, 0.81f, 0.83f}}, SolidPart{"concrete", {0.46f, 0.48f, 0.46f}},
+      SolidPart{kTimber, {0.17f, 0.09f, 0.04f}}};
   std::vector<glm::vec3> centre_line;  // a closed track's line ends at its start; empty without segments
+
+  // Parts that the track's paint covers have its colours.
+  explicit TrackSolid(const world::Document& document) {
+    const world::Paint paint = world::over(document.paint, base::row_of(document.kind).paint);
+    const auto set = [&](std::size_t part, world::Colour colour) {
+      if (colour.own()) parts[part].colour = linear(colour);
+    };
+    set(0, paint.rails), set(1, paint.spine), set(2, paint.spine), set(4, paint.supports);
+  }
 };
 
 constexpr double kLineTolerance =
@@ -52,8 +73,11 @@ std::size_t part_of(const sim::MeshVertex& vertex) {
     case sim::Material::rail: return 0;
     case sim::Material::spine: return 1;
     case sim::Material::tie: return 2;
-    case sim::Material::support: return 4;
+    case sim::Material::support:
+    case sim::Material::handrail: return 4;
     case sim::Material::concrete: return 5;
+    case sim::Material::timber:
+    case sim::Material::plank: return 6;
     default: return 3;
   }
 }
@@ -98,7 +122,7 @@ void for_each_mesh(const world::Document& document, const sim::DerivedTrack& der
     if (!visit(mesh)) return;
     const sim::SegmentSupports* const held = supports.of(segment);
     if (held == nullptr) continue;
-    sim::build_support_mesh(*held, mesh);
+    sim::build_support_mesh(*held, sim::form_of(shape), mesh);
     if (!visit(mesh)) return;
   }
 }
@@ -106,7 +130,7 @@ void for_each_mesh(const world::Document& document, const sim::DerivedTrack& der
 // Builds the solids of every segment, in order: the swept track, its equipment, its supports. Rails and spine are
 // capped only at the ends of an open track.
 TrackSolid track_solid(const world::Document& document) {
-  TrackSolid solid;
+  TrackSolid solid(document);
   sim::DerivedTrack derived;
   sim::derive(document, {}, {}, derived);
   for_each_mesh(document, derived, [&](const sim::Mesh& mesh) { return add_mesh(mesh, solid), true; });
@@ -231,13 +255,15 @@ std::string print_obj(const world::Document& document) {
   return out + "\n";
 }
 
-std::string obj_materials() {
+std::string obj_materials(const world::Document& document) {
   std::string out;
   const auto add = [&](std::string_view name, glm::vec3 colour) {
     out += fmt::format("newmtl {}\n", name);
     add_vector(out, "Kd", colour);
   };
-  for (const SolidPart& part : TrackSolid{}.parts) add(part.name, part.colour);
+  const bool timber = sim::form_of(document.kind).supports == sim::SupportForm::bent;
+  for (const SolidPart& part : TrackSolid(document).parts)
+    if (timber || part.name != kTimber) add(part.name, part.colour);
   add("centre_line", kLineColour);
   return out;
 }

@@ -19,7 +19,7 @@ base::Status check_solid(const world::Document& document);
 // Returns text with the groups "rails", "spine" and "ties" (v, vn, f, counter-clockwise from outside) and "centre_line"
 // (one l element). Metres, Y up; every number in its shortest exact form.
 std::string print_obj(const world::Document& document);
-std::string obj_materials();  // the .mtl file with the materials that print_obj() names
+std::string obj_materials(const world::Document& document);  // the .mtl file with the materials that print_obj() names
 
 // Returns glTF 2.0 (Khronos, registry.khronos.org/glTF/specs/2.0), one JSON file with an embedded buffer: mesh "track"
 // with a primitive and a material each for rails, spine and ties, and mesh "centre line", a LINE_STRIP. Metres, Y up. A

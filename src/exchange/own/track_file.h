@@ -18,9 +18,11 @@
 namespace coaster::exchange {
 
 inline constexpr std::string_view kTrackFormat = "coaster-track";
-inline constexpr int kTrackVersion = 3;  // 1: without spins, which become automatic. 1 and 2: without
-
-// sections, so that all is one free section
+// The newest version. 1: without spins, which become automatic. 1 and 2: without sections, so that all is one free
+// section. 4: with a coaster's kind or paint.
+inline constexpr int kTrackVersion = 4;
+// Returns the oldest version that holds the document, in which it is written: 3 or 4.
+int version_of(const world::Document& document);
 
 // The errors of a track that was fitted to a file's rows (sim/fit/fit_track.h), measured at every row on the document
 // itself.

@@ -104,6 +104,13 @@ bool read_value(TrackParse& parse, JsonFieldReader& fields, const world::Field& 
     return true;
   } else if constexpr (base::Named<T>) {
     return fields.named(field.name, value);
+  } else if constexpr (std::is_same_v<T, world::Colour>) {
+    std::string text;
+    if (!fields.text(field.name, text)) return false;
+    const auto colour = world::parse_colour(text);
+    if (!colour) return fields.reject(field.name, "a colour such as \"#d9452f\", or \"own\"");
+    value = *colour;
+    return true;
   } else {
     static_assert(std::is_same_v<T, world::Entity>);
     std::uint32_t number = 0;
@@ -332,6 +339,7 @@ bool read_section(TrackParse& parse, JsonFieldReader& fields, std::size_t& first
   if (section.kind == world::SectionKind::force &&
       !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
     return false;
+  if (!read_component(parse, fields, section.paint)) return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
   return keep(parse, fields, e, std::move(section));
 }

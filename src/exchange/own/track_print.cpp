@@ -89,6 +89,7 @@ std::string extra_members(const world::UnknownMembers& extra, std::string_view s
 
 std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
 std::string value_text(const Document& document, Entity e) { return id(document, e); }
+std::string value_text(const Document&, world::Colour colour) { return json_string(world::to_text(colour)); }
 std::string value_text(const Document&, bool value) { return value ? "true" : "false"; }
 template <class T>
 std::string value_text(const Document&, T value) {
@@ -137,6 +138,7 @@ std::string section_line(const Document& document, const world::SectionRun& run)
   std::string text = ", " + section_members(section, run.count);
   if (section.kind == world::SectionKind::complete) text += members(document, section.closing);
   if (section.kind == world::SectionKind::force) text += members(document, section.force) + force_keys(section.force);
+  text += members(document, section.paint);
   return entity_line(document, run.section, std::move(text));
 }
 
@@ -158,9 +160,16 @@ std::string print_keys(const CopiedForceKeys& copied) {
                      list_text(copied.keys));
 }
 
+int version_of(const Document& document) {
+  const auto& sections = document.entities.pool<world::Section>().items();
+  const bool plain = document.kind == world::CoasterKind{} && document.paint == world::Paint{} &&
+                     std::ranges::all_of(sections, [](const world::Section& s) { return s.paint == world::Paint{}; });
+  return plain ? 3 : kTrackVersion;
+}
+
 std::string print_track(const Document& document) {
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",
-                                kTrackFormat, kTrackVersion, json_string(document.name), document.track.closed,
+                                kTrackFormat, version_of(document), json_string(document.name), document.track.closed,
                                 members(document, document, ",\n  "));
   print_list(out, "knots", document, document.track.knots, component_line<world::Knot>);
   print_list(out, "segments", document, document.track.segments, segment_line);

@@ -111,7 +111,13 @@ void clamp_values(world::Element& element, std::vector<std::string>& lines) {
 
 std::optional<TrackEnd> open_end(const world::Document& document) {
   if (document.track.closed) return std::nullopt;
-  if (document.track.knots.empty()) return TrackEnd{};
+  if (document.track.knots.empty()) {
+    // Riders who hang below the rails need room for their feet over the platform.
+    constexpr double kFeet = 2.6;  // m
+    TrackEnd first;
+    if (base::row_of(document.kind).heartline < 0) first.position.y += kFeet;
+    return first;
+  }
   return end_at(document, document.track.knots.size() - 1);
 }
 

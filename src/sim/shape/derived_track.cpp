@@ -35,7 +35,8 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
           to.tangent,
           from.spin,
           to.spin,
-          world::rails_height(document)};
+          world::rails_height(document),
+          document.kind};
 }
 
 // The work on one segment, and its cost.
@@ -63,7 +64,8 @@ void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& 
 bool all_anew(const world::Document& document, const world::Evaluation& evaluation, bool moved,
               const DerivedTrack& derived) {
   return moved || derived.made.knots.size() != document.track.knots.size() ||
-         !(derived.made.evaluation == evaluation) || derived.made.rails != world::rails_height(document);
+         !(derived.made.evaluation == evaluation) || derived.made.rails != world::rails_height(document) ||
+         derived.made.kind != document.kind;
 }
 
 // Calls visit(i) for each knot that differs from made.knots[i], and copies it there. If the pool has the knots in the
@@ -228,6 +230,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
   derived.steps = evaluation.steps;
   derived.compared = 0, derived.rebuilds = 0, derived.evaluation_seconds = 0, derived.evaluated_vertices = 0;
   derived.made.evaluation = evaluation, derived.made.rails = world::rails_height(document);
+  derived.made.kind = document.kind;
 
   std::vector<SegmentRebuild> jobs = jobs_of(document, take_changes(document, all, derived), evaluation, derived);
   constexpr std::size_t kPart = 64;  // segments

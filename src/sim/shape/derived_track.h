@@ -31,6 +31,7 @@ struct ShapeKey {
   glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};
   float spin_from = 0, spin_to = 0;  // rad/m
   double rails = 0;                  // m, of the rails above the curve (sim/shape/rails.h)
+  world::CoasterKind kind{};         // of the solids along it
   friend bool operator==(const ShapeKey&, const ShapeKey&) = default;
 };
 
@@ -116,6 +117,7 @@ struct DerivedTrack {
     world::Pool<world::Equipment> equipment;
     world::Evaluation evaluation;
     double rails = 0;
+    world::CoasterKind kind{};
     std::vector<ShapeChange> changes;  // all changes after the build `known_since`
     std::uint64_t known_since = 0;
   } made;

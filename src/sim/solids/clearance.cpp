@@ -39,15 +39,19 @@ Ring between(const Ring& a, const Ring& b, double share) {
 struct BarClearance {
   dvec3 from, to;
   double radius;
+  const CoasterForm& form;
   bool keeps(double room, const Ring& a, const Ring& b, double left, double up) const {
     return distance_between(from, to, a.place(left, up), b.place(left, up)) >= room + radius + kBarMargin;
+  }
+  bool keeps(const ClearanceTube& tube, const Ring& a, const Ring& b) const {
+    return keeps(tube.radius, a, b, 0, tube.lift);
   }
 };
 
 bool clear_of_piece(const BarClearance& bar, const Ring& a, const Ring& b, bool held) {
-  if (!held) return bar.keeps(kEnvelopeRadius, a, b, 0, kEnvelopeLift);
-  return bar.keeps(kRiderRadius, a, b, 0, kRiderLift) && bar.keeps(kWheelRoom, a, b, 0.5 * kGauge, 0) &&
-         bar.keeps(kWheelRoom, a, b, -0.5 * kGauge, 0);
+  if (!held) return bar.keeps(bar.form.envelope, a, b);
+  return bar.keeps(bar.form.riders, a, b) && bar.keeps(bar.form.wheels, a, b, 0.5 * kGauge, 0) &&
+         bar.keeps(bar.form.wheels, a, b, -0.5 * kGauge, 0);
 }
 
 // Tests a chord from `from` to `to` metres along the rails from the held position, split into the pieces within its
@@ -93,8 +97,9 @@ curve::Box widened(curve::Box box, float by) { return {box.low - by, box.high + 
 bool is_clear(const DerivedTrack& derived, std::span<const SegmentClearance* const> lanes, const Bar& bar,
               TrackPlace held) {
   const BarClearance question{dvec3(bar.from), dvec3(bar.to),
-                              static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
-  const double reach = kEnvelopeRadius + kEnvelopeLift + question.radius + 0.1;
+                              static_cast<double>(std::max(bar.from_radius, bar.to_radius)),
+                              form_of(derived.made.kind)};
+  const double reach = reach_of(question.form.envelope) + question.radius + 0.1;
   const curve::Box box = widened({glm::min(bar.from, bar.to), glm::max(bar.from, bar.to)}, static_cast<float>(reach));
   const auto off_curve = static_cast<float>(std::abs(derived.shape_at(held.index).key.rails));
   return all_near(derived.tree, widened(box, off_curve), [&](std::size_t i) {

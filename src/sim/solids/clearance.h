@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "sim/shape/derived_track.h"
-#include "sim/solids/mesh.h"
+#include "sim/solids/coaster_form.h"
 
 namespace coaster::sim {
 
-// The envelope in general: a tube about a line above the rails, from below the spine to above the riders' heads.
-inline constexpr double kEnvelopeRadius = 1.6, kEnvelopeLift = 0.45;  // m
-// The envelope within kHeldReach along the rails of the bar's own support: a tube about the riders, and the rails with
-// the wheels on them.
-inline constexpr double kHeldReach = 4.0, kRiderRadius = 1.1, kRiderLift = 1.05;  // m
+// The envelope in general is the form's `envelope`; within kHeldReach along the rails of the bar's own support it is
+// its `riders`, and the rails with the wheels on them.
+inline constexpr double kHeldReach = 4.0;   // m
 inline constexpr double kBarMargin = 0.03;  // m added to all of these, for the error of chords
 
 struct Bar {

@@ -9,10 +9,10 @@ namespace coaster::sim {
 
 // Two stretches that are too close to each other over their whole length.
 struct Conflict {
-  double at = 0, other = 0;               // m along the track, at < other: the narrowest point
-  double from = 0, to = 0;                // m along the track, start and end of the first stretch
-  double other_from = 0, other_to = 0;    // m, the same for the other stretch
-  double missing = 0;                     // m of clearance missing there, above 0, at most kTrainRadius + kTrackRadius
+  double at = 0, other = 0;             // m along the track, at < other: the narrowest point
+  double from = 0, to = 0;              // m along the track, start and end of the first stretch
+  double other_from = 0, other_to = 0;  // m, the same for the other stretch
+  double missing = 0;  // m of clearance missing there, above 0, at most the radii of a train and of track (CoasterForm)
   glm::vec3 at_place{0}, other_place{0};  // m, on the rails' centre line
   friend bool operator==(const Conflict&, const Conflict&) = default;
 };

@@ -13,8 +13,15 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kNeeded = kTrainRadius + kTrackRadius;       // m between the line of a train and that of track
-constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farther apart never conflict
+// What two stretches of track of a kind need between them.
+struct NeededRoom {
+  ClearanceTube train, track;
+  explicit NeededRoom(const DerivedTrack& derived)
+      : train(form_of(derived.made.kind).train), track(form_of(derived.made.kind).track) {}
+  double apart() const { return train.radius + track.radius; }  // m between the line of a train and that of track
+  // m: rails farther apart never conflict
+  double reach() const { return apart() + std::abs(train.lift) + std::abs(track.lift); }
+};
 
 // Returns the shorter distance along the rails from the end of one stretch to the start of another, m; negative if they
 // overlap.
@@ -36,19 +43,22 @@ glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dve
 
 // Returns by how much two chords, p to q and r to t, of at most `lengths` m together, are out of reach of each other,
 // m; negative if they may conflict.
-double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t, double lengths) {
+double beyond_reach(const NeededRoom& room, const LinePoint& p, const LinePoint& q, const LinePoint& r,
+                    const LinePoint& t, double lengths) {
   constexpr double kRounding = 0.05;  // m, rounding of float coordinates at the limits of coordinates
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
-  return apart - 0.5 * lengths - kReach - kRounding;
+  return apart - 0.5 * lengths - room.reach() - kRounding;
 }
 
 // Returns the clearance that a train on one chord lacks from the other; 0 or less if it has enough.
-double missing_between(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t) {
+double missing_between(const NeededRoom& room, const LinePoint& p, const LinePoint& q, const LinePoint& r,
+                       const LinePoint& t) {
   const auto distance = [&](double one, double other) {
     return distance_between(lifted(p.position, p.up, one), lifted(q.position, q.up, one),
                             lifted(r.position, r.up, other), lifted(t.position, t.up, other));
   };
-  return kNeeded - std::min(distance(kTrainLift, -kTrackDrop), distance(-kTrackDrop, kTrainLift));
+  return room.apart() -
+         std::min(distance(room.train.lift, room.track.lift), distance(room.track.lift, room.train.lift));
 }
 
 // Returns the segments that may have new neighbours, ascending: those between a common start and a common end of both
@@ -156,6 +166,7 @@ const Conflicts::Entry& Conflicts::entry(const DerivedTrack& derived, std::size_
 // Checks two segments, a not after b in the track; adds at most `most` hits and returns their number.
 std::size_t Conflicts::look_at(const DerivedTrack& derived, world::Entity a, world::Entity b, std::size_t most) {
   const Entry &first = entries_.get(a), &second = entries_.get(b);
+  const NeededRoom room(derived);
   const double first_start = derived.starts[first.index], second_start = derived.starts[second.index];
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < first.places.size(); ++i) {
@@ -165,11 +176,11 @@ std::size_t Conflicts::look_at(const DerivedTrack& derived, world::Entity a, wor
       if (between_stretches(derived, first_start + double{p.s}, first_start + double{q.s}, second_start + double{r.s},
                             second_start + double{t.s}) < kSameStretch)
         continue;
-      if (const double beyond = beyond_reach(p, q, r, t, first.longest + second.longest); beyond > 0) {
+      if (const double beyond = beyond_reach(room, p, q, r, t, first.longest + second.longest); beyond > 0) {
         k += chords_within(beyond, second.longest);
         continue;
       }
-      const double missing = missing_between(p, q, r, t);
+      const double missing = missing_between(room, p, q, r, t);
       if (!(missing > 0)) continue;
       hits_.push_back({a, b, i, k, missing});
       if (++count == most) return count;
@@ -180,7 +191,7 @@ std::size_t Conflicts::look_at(const DerivedTrack& derived, world::Entity a, wor
 
 void Conflicts::look_around(const DerivedTrack& derived, std::size_t index) {
   const world::Entity segment = derived.order[index];
-  const curve::Box box = widened(entry(derived, index).box, static_cast<float>(kReach));
+  const curve::Box box = widened(entry(derived, index).box, static_cast<float>(NeededRoom(derived).reach()));
   const auto off_curve = static_cast<float>(std::abs(derived.shape(segment).key.rails));
   const std::size_t most = kMostHits * entry(derived, index).places.size();
   std::size_t count = 0;
@@ -251,17 +262,18 @@ const std::vector<Conflict>& Conflicts::update(const DerivedTrack& derived, std:
 std::vector<LineConflict> Conflicts::against(const DerivedTrack& derived, std::span<const LinePoint> line,
                                              const LineConditions& terms) const {
   std::vector<LineConflict> out;
-  const double reach = kReach + terms.margin, whole = line.empty() ? 0.0 : double{line.back().s};
+  const NeededRoom room(derived);
+  const double reach = room.reach() + terms.margin, whole = line.empty() ? 0.0 : double{line.back().s};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const LinePoint &p = line[i], &q = line[i + 1];
     const double length = length_of(p, q);
     LineConflict narrow{double{p.s}, double{q.s}, 0};
     const auto compare = [&](const LinePoint& r, const LinePoint& t, double at) {
-      const double missing = missing_between(r, t, p, q) + terms.margin;
+      const double missing = missing_between(room, r, t, p, q) + terms.margin;
       if (missing > narrow.missing) narrow.missing = missing, narrow.other = at;
     };
     for (std::size_t k = 0; k < i && double{p.s} - double{line[k + 1].s} >= kSameStretch; ++k)
-      if (beyond_reach(line[k], line[k + 1], p, q, length + length_of(line[k], line[k + 1])) <= terms.margin)
+      if (beyond_reach(room, line[k], line[k + 1], p, q, length + length_of(line[k], line[k + 1])) <= terms.margin)
         compare(line[k], line[k + 1], -1);
     const curve::Box box =
         widened({glm::min(p.position, q.position), glm::max(p.position, q.position)}, static_cast<float>(reach));
@@ -273,7 +285,7 @@ std::vector<LineConflict> Conflicts::against(const DerivedTrack& derived, std::s
         const LinePoint &r = entry.places[k], &t = entry.places[k + 1];
         if (derived.length - start - double{t.s} + double{p.s} < kSameStretch) continue;
         if (terms.comes_home && whole - double{q.s} + start + double{r.s} < kSameStretch) continue;
-        if (const double beyond = beyond_reach(r, t, p, q, entry.longest + length) - terms.margin; beyond > 0)
+        if (const double beyond = beyond_reach(room, r, t, p, q, entry.longest + length) - terms.margin; beyond > 0)
           k += chords_within(beyond, entry.longest);
         else compare(r, t, start + double{r.s});
       }

@@ -11,10 +11,7 @@
 
 namespace coaster::sim {
 
-// A train needs a tube about a line above the rails, half a metre wider than riders with their elbows; track fills a
-// tube about a line below them.
-inline constexpr double kTrainRadius = 1.5, kTrainLift = 0.45;  // m
-inline constexpr double kTrackRadius = 0.78, kTrackDrop = 0.3;  // m
+// A train needs the tube `train` of its kind's form, and track fills the tube `track`.
 // Positions closer than this along the rails belong to one part of the track and never conflict.
 inline constexpr double kSameStretch = 8;   // m
 inline constexpr double kConflictStep = 2;  // m, length of the chords of the curve; longer beyond 1,000 per segment

@@ -77,7 +77,7 @@ void add_face(std::span<const dvec3> corners, Material part, float along, bool f
 }
 
 void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, Material part, bool from_afar,
-                   Mesh& mesh) {
+                   Mesh& mesh, Caps caps) {
   const auto place = [&](const Ring& ring, std::size_t k) { return ring.place(outline[k % outline.size()]); };
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const dvec2 side = outline[(k + 1) % outline.size()] - outline[k], out = glm::normalize(dvec2(side.y, -side.x));
@@ -92,14 +92,15 @@ void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, 
   }
   std::vector<dvec3> end;
   for (std::size_t k = 0; k < outline.size(); ++k) end.push_back(place(rings.back(), k));
-  add_face(end, part, rings.back().along, from_afar, mesh);
+  if (caps.last) add_face(end, part, rings.back().along, from_afar, mesh);
   end.clear();
   for (std::size_t k = outline.size(); k-- > 0;) end.push_back(place(rings.front(), k));
-  add_face(end, part, rings.front().along, from_afar, mesh);
+  if (caps.first) add_face(end, part, rings.front().along, from_afar, mesh);
 }
 
-void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part, bool from_afar, Mesh& mesh) {
-  add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh);
+void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part, bool from_afar, Mesh& mesh,
+              Caps caps) {
+  add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh, caps);
 }
 
 void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Material part, float along,

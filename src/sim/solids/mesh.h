@@ -12,7 +12,7 @@
 
 namespace coaster::sim {
 
-// The material of a triangle: a row of the table of paints in shaders/mesh.frag, in the same order.
+// The material of a triangle: a row of kMaterials (sim/solids/materials.h).
 enum class Material : std::uint8_t {
   rail,
   spine,
@@ -32,7 +32,11 @@ enum class Material : std::uint8_t {
   sand,
   plum,
   linen,
-  hair
+  hair,
+  timber,
+  plank,
+  handrail,
+  chassis
 };
 
 struct MeshVertex {
@@ -81,11 +85,12 @@ struct Tube {
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh);
 
 // Adds a convex outline (left, up), counter-clockwise when looking against the direction of travel, swept along the
-// rings: flat sides and ends.
+// rings: flat sides, and flat ends at `caps`.
 void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outline, Material part, bool from_afar,
-                   Mesh& mesh);
+                   Mesh& mesh, Caps caps = {});
 // Adds the swept rectangle between two corners.
-void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Material part, bool from_afar, Mesh& mesh);
+void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Material part, bool from_afar, Mesh& mesh,
+              Caps caps = {});
 
 // Adds a flat convex face, counter-clockwise as seen from outside. The normal of a face of zero area is up.
 void add_face(std::span<const glm::dvec3> corners, Material part, float along, bool from_afar, Mesh& mesh);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/cancellable_job.h"
@@ -32,18 +33,19 @@ struct SupportSite {
 
 dvec3 level(dvec3 v) { return {v.x, 0, v.z}; }
 
-SupportSite site_at(const Ring& at) {
+SupportSite site_at(const Ring& at, const CoasterForm& form) {
   SupportSite site{};
-  site.top = at.position - kSpineDrop * at.frame.up;
+  const dvec3 riders = form.side * at.frame.up;  // the side on which they are
+  site.top = at.position + form.hold * at.frame.up;
   site.height = site.top.y;
   site.radius = std::clamp(0.13 + 0.0055 * site.height, 0.13, 0.36);
   const dvec3 across(at.frame.forward.z, 0, -at.frame.forward.x), left = level(at.frame.left());
   site.side = glm::length(across) > 0.2 ? glm::normalize(across)
               : glm::length(left) > 0.2 ? glm::normalize(left)
                                         : dvec3(1, 0, 0);
-  const dvec3 back = level(-at.frame.up);
+  const dvec3 back = level(-riders);
   if (glm::length(back) > kLevelPart) site.back = glm::normalize(back);
-  site.upright = at.frame.up.y > kUpright;
+  site.upright = riders.y > kUpright;
   return site;
 }
 
@@ -99,15 +101,112 @@ void add_footing(dvec3 at, double radius, Mesh& mesh) {
   add_bar(top, top + dvec3(0, kPlate, 0), plate, plate, kSides, Material::support, 0, false, mesh);
 }
 
-void add_collar(const Ring& hold, Mesh& mesh) {
+void add_collar(const Ring& hold, const CoasterForm& form, Mesh& mesh) {
+  if (form.hold_radius == 0) return;
   constexpr double kHalf = 0.10, kThick = 0.05;
   Ring ends[2] = {hold, hold};
   ends[0].position -= kHalf * hold.frame.forward, ends[1].position += kHalf * hold.frame.forward;
-  add_tube(ends, {{0, -kSpineDrop}, kSpineRadius + kThick, kSpineSides, kSpineSides / 3, Material::tie}, mesh);
+  add_tube(ends, {{0, form.hold}, form.hold_radius + kThick, 12, 4, Material::tie}, mesh);
+}
+
+// A frame of timber across the track: two legs that spread downwards, with a ledger every kStorey m above the ground,
+// so that those of neighbours are level.
+struct Bent {
+  static constexpr double kStorey = 3.2, kSpread = 0.10, kHalfLeg = 0.11, kBetween = 1.15;  // m
+  static constexpr double kLeast = 0.8;                                                     // m of the topmost storey
+  Ring hold;
+  std::array<dvec3, 2> tops, feet;
+
+  double top() const { return std::min(tops[0].y, tops[1].y); }
+  // Returns the number of ledgers.
+  int storeys() const { return std::max(0, static_cast<int>((top() - kLeast) / kStorey)); }
+  std::array<Bar, 2> legs() const {
+    return {bar(tops[0], feet[0], kHalfLeg, kHalfLeg, true), bar(tops[1], feet[1], kHalfLeg, kHalfLeg, true)};
+  }
+  // Returns the point of a leg at ledger `storey`, from 0 on the ground; above the last one its top.
+  dvec3 on_leg(std::size_t leg, int storey) const {
+    if (storey > storeys()) return tops[leg];
+    return glm::mix(feet[leg], tops[leg], storey * kStorey / tops[leg].y);
+  }
+};
+
+// Returns nothing where the track is steep, banked too far, or on the ground.
+std::optional<Bent> bent_at(const Ring& at, const CoasterForm& form) {
+  constexpr double kLeastLevel = 0.1, kLeastUp = 0.3;
+  const dvec3 left = at.frame.left(), flat = level(left);
+  if (glm::length(level(at.frame.forward)) < kLeastLevel || at.frame.up.y < kLeastUp || glm::length(flat) < kLeastLevel)
+    return std::nullopt;
+  Bent bent{at, {}, {}};
+  for (const std::size_t leg : {std::size_t{0}, std::size_t{1}}) {
+    const double side = leg == 0 ? 1 : -1;
+    bent.tops[leg] = at.place(side * Bent::kBetween, form.hold);
+    const double height = bent.tops[leg].y;
+    if (height < kLowestSupport) return std::nullopt;
+    bent.feet[leg] = on_ground(bent.tops[leg] + side * Bent::kSpread * height * glm::normalize(flat));
+  }
+  return bent;
+}
+
+Brace brace(dvec3 from, dvec3 to, double half, bool from_afar) {
+  return {glm::vec3(from), glm::vec3(to), static_cast<float>(half), from_afar};
+}
+
+// A cap under the ties, the ledgers, and crossed braces between them.
+void add_braces(const Bent& bent, std::vector<Brace>& braces) {
+  constexpr double kCap = 0.10, kLedger = 0.07, kCross = 0.055;  // m
+  braces.push_back(brace(bent.tops[0], bent.tops[1], kCap, true));
+  for (int storey = 0; storey <= bent.storeys(); ++storey) {
+    if (storey > 0) braces.push_back(brace(bent.on_leg(0, storey), bent.on_leg(1, storey), kLedger, storey % 2 == 0));
+    for (const std::size_t leg : {std::size_t{0}, std::size_t{1}})
+      braces.push_back(brace(bent.on_leg(leg, storey), bent.on_leg(1 - leg, storey + 1), kCross, false));
+  }
+}
+
+// Ribbons from a bent to the next one along the ledgers of both, and a diagonal in every third field.
+void add_ribbons(const Bent& from, const Bent& to, int number, std::vector<Brace>& braces) {
+  constexpr double kRibbon = 0.06, kDiagonal = 0.05, kFarthest = 5;  // m
+  if (glm::distance(from.tops[0], to.tops[0]) > kFarthest || glm::distance(from.tops[1], to.tops[1]) > kFarthest)
+    return;
+  const int storeys = std::min(from.storeys(), to.storeys());
+  for (const std::size_t leg : {std::size_t{0}, std::size_t{1}})
+    for (int storey = 1; storey <= storeys; ++storey) {
+      braces.push_back(brace(from.on_leg(leg, storey), to.on_leg(leg, storey), kRibbon, storey % 2 == 0));
+      if ((number + storey) % 3 == 0)
+        braces.push_back(brace(from.on_leg(leg, storey), to.on_leg(leg, storey - 1), kDiagonal, false));
+    }
+}
+
+// Adds the four sides of a square beam.
+void add_timber(dvec3 from, dvec3 to, double half, bool from_afar, Mesh& mesh) {
+  const double length = glm::length(to - from);
+  if (!(length > 1e-6)) return;
+  const dvec3 forward = (to - from) / length, up = curve::perpendicular(forward, {0, 1, 0}),
+              left = glm::cross(up, forward);
+  const auto corner = [&](dvec3 end, double aside, double high) { return end + half * (aside * left + high * up); };
+  constexpr double kRound[][2] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};  // counter-clockwise against the way
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto &a = kRound[k], &b = kRound[(k + 1) % 4];
+    add_face(
+        std::array{corner(from, a[0], a[1]), corner(from, b[0], b[1]), corner(to, b[0], b[1]), corner(to, a[0], a[1])},
+        Material::support, 0, from_afar, mesh);
+  }
+}
+
+void add_bents(const SegmentSupports& supports, Mesh& mesh) {
+  constexpr double kFooting = 0.28, kHigh = 0.14;  // m
+  for (const Bar& leg : supports.bars) {
+    add_timber(dvec3(leg.from), dvec3(leg.to), double{leg.to_radius}, true, mesh);
+    const dvec3 foot(leg.to);
+    add_box(foot + dvec3(0, 0.5 * kHigh, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kHigh, kFooting},
+            Material::concrete, 0, false, mesh);
+  }
+  for (const Brace& each : supports.braces)
+    add_timber(dvec3(each.from), dvec3(each.to), double{each.half}, each.from_afar, mesh);
 }
 
 // Returns the desired spacing of supports on a segment.
 double wanted_spacing(const SegmentShape& shape) {
+  if (form_of(shape).supports == SupportForm::bent) return kBentSpacing;
   constexpr double kTight = 14;      // m of radius: at and below it spacing is smallest
   constexpr double kHighTrack = 25;  // m
   const double length = shape.arc.length();
@@ -135,8 +234,8 @@ bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
 }
 
 // Returns the box of all possible bars of the segment's supports with their clearance.
-curve::Box reach_of(const curve::Box& box) {
-  const float aside = kSupportReach + static_cast<float>(kEnvelopeRadius + kEnvelopeLift + kSpineDrop) + 1;
+curve::Box bars_box(const curve::Box& box, const CoasterForm& form) {
+  const float aside = kSupportReach + static_cast<float>(reach_of(form.envelope) + std::abs(form.hold)) + 1;
   curve::Box reach = widened(box, aside);
   reach.low.y = -std::numeric_limits<float>::infinity();
   return reach;
@@ -144,8 +243,8 @@ curve::Box reach_of(const curve::Box& box) {
 
 }  // namespace
 
-bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes) {
-  const SupportSite site = site_at(at);
+bool try_forms(const Ring& at, const CoasterForm& form, const std::function<bool(std::span<const Bar>)>& takes) {
+  const SupportSite site = site_at(at, form);
   if (site.height < kLowestSupport) return false;
   const FormTrial trial(site, takes);
   if (site.upright) {
@@ -165,8 +264,9 @@ bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& 
   return false;
 }
 
-void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
+void build_support_mesh(const SegmentSupports& supports, const CoasterForm& form, Mesh& mesh) {
   mesh.clear();
+  if (supports.form == SupportForm::bent) return add_bents(supports, mesh);
   for (const Bar& bar : supports.bars) {
     const dvec3 from(bar.from), to(bar.to);
     const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
@@ -176,7 +276,7 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
             Material::support, 0, true, mesh);
     if (bar.grounded) add_footing(to, to_radius, mesh);
   }
-  for (const Ring& hold : supports.holds) add_collar(hold, mesh);
+  for (const Ring& hold : supports.holds) add_collar(hold, form, mesh);
 }
 
 SupportSpacing spacing_of(const SegmentShape& shape) {
@@ -211,7 +311,8 @@ bool Supports::gather(const DerivedTrack& derived, const NearSegments& near) {
     const curve::Box box = rails_box(derived.shape_at(i));
     room = {glm::min(room.low, box.low), glm::max(room.high, box.high)};
   }
-  room = widened(reach_of(room), kMargin + static_cast<float>(std::abs(derived.shape_at(near_.front()).key.rails)));
+  room = widened(bars_box(room, form_of(derived.made.kind)),
+                 kMargin + static_cast<float>(std::abs(derived.shape_at(near_.front()).key.rails)));
   (void)all_near(derived.tree, room, [&](std::size_t i) {
     places_.push_back(i);
     return true;
@@ -236,7 +337,7 @@ void Supports::take_shapes(const DerivedTrack& derived) {
     entry->shape_build = shape.shape_build;
     entry->stale = true;
     entry->lane = {rings_of(shape, detail_.most_rings), rails_box(shape)};
-    entry->reach = reach_of(entry->lane.box);
+    entry->reach = bars_box(entry->lane.box, form_of(shape));
     entry->spacing = spacing_of(shape);
     if (!still) moved_.push_back(entry->lane.box);
   }
@@ -279,21 +380,13 @@ void Supports::mark_disturbed() {
                                              [&](const curve::Box& box) { return meet(entry.reach, box); });
 }
 
-void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
-  Entry& entry = entries_.get(derived.order[index]);
-  if (!std::exchange(entry.stale, false)) return;
-  ++rebuilds_;
-  if (lanes_.empty()) {
-    lanes_.resize(derived.order.size());
-    for (std::size_t k = 0; k < order_.size(); ++k) lanes_[places_[k]] = &entries_.get(order_[k]).lane;
-  }
+SegmentSupports Supports::find_columns(const DerivedTrack& derived, std::size_t index, int count) const {
   const SegmentShape& shape = derived.shape_at(index);
-  SegmentSupports found;
-  found.places = entry.count;
-  for (int k = 0; k < entry.count; ++k) {
-    const double s = shape.arc.length() * (k + 0.5) / entry.count;
+  SegmentSupports found{.form = SupportForm::column, .places = count};
+  for (int k = 0; k < count; ++k) {
+    const double s = shape.arc.length() * (k + 0.5) / count;
     const Ring at = ring_at(shape, s);
-    const bool held = try_forms(at, [&](std::span<const Bar> bars) {
+    const bool held = try_forms(at, form_of(shape), [&](std::span<const Bar> bars) {
       const bool clear = apart(bars, found.bars) && std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) {
                            return is_clear(derived, lanes_, bar, {index, s});
                          });
@@ -302,7 +395,50 @@ void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
     });
     if (held) found.holds.push_back(at);
   }
-  found.build = found.bars == entry.found.bars && entry.found.build != 0 ? entry.found.build : ++last_build_;
+  return found;
+}
+
+// One bent stands at the segment's start and the others in equal steps. The ribbons of the last one lead to where the
+// next segment begins.
+SegmentSupports Supports::find_bents(const DerivedTrack& derived, std::size_t index, SupportSpacing spacing,
+                                     int count) const {
+  const SegmentShape& shape = derived.shape_at(index);
+  SegmentSupports found{.form = SupportForm::bent, .places = count};
+  std::optional<Bent> before;
+  const bool linked = spacing.every == 1;
+  for (int k = 0; k < count + (linked ? 1 : 0); ++k) {
+    const double s = shape.arc.length() * k / std::max(count, 1);
+    std::optional<Bent> bent = bent_at(ring_at(shape, s), form_of(shape));
+    if (bent && !std::ranges::all_of(bent->legs(), [&](const Bar& leg) {
+          return is_clear(derived, lanes_, leg, {index, s});
+        }))
+      bent.reset();
+    if (bent && before) add_ribbons(*before, *bent, k, found.braces);
+    if (bent && k < count) {
+      const std::array<Bar, 2> legs = bent->legs();
+      found.bars.insert(found.bars.end(), legs.begin(), legs.end());
+      add_braces(*bent, found.braces);
+      found.holds.push_back(bent->hold);
+    }
+    before = bent;
+  }
+  return found;
+}
+
+void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
+  Entry& entry = entries_.get(derived.order[index]);
+  if (!std::exchange(entry.stale, false)) return;
+  ++rebuilds_;
+  if (lanes_.empty()) {
+    lanes_.resize(derived.order.size());
+    for (std::size_t k = 0; k < order_.size(); ++k) lanes_[places_[k]] = &entries_.get(order_[k]).lane;
+  }
+  const bool bents = form_of(derived.made.kind).supports == SupportForm::bent;
+  SegmentSupports found =
+      bents ? find_bents(derived, index, entry.spacing, entry.count) : find_columns(derived, index, entry.count);
+  const bool same =
+      found.form == entry.found.form && found.bars == entry.found.bars && found.braces == entry.found.braces;
+  found.build = same && entry.found.build != 0 ? entry.found.build : ++last_build_;
   entry.found = std::move(found);
 }
 

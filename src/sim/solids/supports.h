@@ -1,6 +1,6 @@
-// Supports of the track, built automatically: columns from the spine to the ground that stay outside the clearance
-// envelope of trains. Cached per segment and recomputed where the track near a support's possible positions changed.
-// They depend only on the present track, not on its history.
+// Supports of the track, built automatically: columns from the spine to the ground, or bents of timber, which stay
+// outside the clearance envelope of trains. Cached per segment and recomputed where the track near a support's possible
+// positions changed. They depend only on the present track, not on its history.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,28 @@
 namespace coaster::sim {
 
 inline constexpr double kMinSupportSpacing = 8,
-                        kMaxSupportSpacing = 12;  // m, target; closer where the track is curved or high
+                        kMaxSupportSpacing = 12;  // m, target of columns; closer where the track is curved or high
+inline constexpr double kBentSpacing = 3;         // m, target of bents
 inline constexpr int kMostSupports = 400;         // per segment: on very long segments the spacing is larger
 inline constexpr double kLowestSupport = 0.5;     // m of the spine's axis above the ground
 inline constexpr float kSupportReach = 8;         // m, largest sideways distance of a foot
 
+// A square beam of a bent: a ledger, a brace or a ribbon.
+struct Brace {
+  glm::vec3 from{0}, to{0};  // m
+  float half = 0;            // m, of its side
+  bool from_afar = false;
+  friend bool operator==(const Brace&, const Brace&) = default;
+};
+
 // The supports of one segment: bars from the spine on, `to` nearer to the ground.
 struct SegmentSupports {
-  std::vector<Bar> bars;
-  std::vector<Ring> holds;  // where the track is held, one per support
-  int places = 0;           // positions tried
-  std::uint64_t build = 0;  // a new number when the bars change; 0: never any
+  SupportForm form{};
+  std::vector<Bar> bars;      // columns, arms and struts, or the legs of bents
+  std::vector<Brace> braces;  // of bents
+  std::vector<Ring> holds;    // where the track is held, one per support
+  int places = 0;             // positions tried
+  std::uint64_t build = 0;    // a new number when the bars change; 0: never any
 };
 
 // The number of supports of a segment: `count`, evenly spaced, on every `every`-th segment of its kind. Depends only on
@@ -64,6 +75,8 @@ class Supports {
   void take_turns();
   void mark_disturbed();
   void find_if_stale(const DerivedTrack& derived, std::size_t index);
+  SegmentSupports find_columns(const DerivedTrack& derived, std::size_t index, int count) const;
+  SegmentSupports find_bents(const DerivedTrack& derived, std::size_t index, SupportSpacing spacing, int count) const;
 
   world::Pool<Entry> entries_;
   std::vector<world::Entity> order_;
@@ -78,8 +91,8 @@ class Supports {
   int count_ = 0, rebuilds_ = 0;
 };
 
-// Builds their solids: round bars with a plate and a footing on the ground, and a collar around the spine. Replaces the
-// contents of `mesh`.
-void build_support_mesh(const SegmentSupports& supports, Mesh& mesh);
+// Builds their solids: round bars with a plate and a footing on the ground, and a collar around the spine; square
+// timber for bents. Replaces the contents of `mesh`.
+void build_support_mesh(const SegmentSupports& supports, const CoasterForm& form, Mesh& mesh);
 
 }  // namespace coaster::sim

@@ -22,8 +22,17 @@ constexpr double kShortestFitted = 0.5;  // m: on shorter segments nothing is sh
 
 struct EquipmentMeshInput {
   const SegmentShape& shape;
+  const CoasterForm& form;
   std::vector<Ring> rings;
   Mesh& mesh;
+
+  // Returns rings whose up leads to the riders' side of the rails, for what acts on trains from the other side.
+  std::vector<Ring> towards_riders(std::vector<Ring> some) const {
+    if (form.side < 0)
+      for (Ring& ring : some) ring.frame.up = -ring.frame.up;
+    return some;
+  }
+  std::vector<Ring> rows(double spacing) const { return towards_riders(spaced_rings(shape, spacing)); }
 };
 
 // Adds a block around (left, up) with half sides along forward, up and left.
@@ -32,24 +41,26 @@ void add_block(const Ring& at, dvec2 middle, dvec3 half, Material part, bool fro
 }
 
 // The bed between the rails: crossbars from arm to arm and a beam along the track on them.
-constexpr double kBedTop = -0.17;
+constexpr double kBedTop = -0.17, kBedSpacing = 1.5;
 void add_bed(const EquipmentMeshInput& fitting, double half_width) {
-  for (const Ring& at : spaced_rings(fitting.shape, kTieSpacing))
+  for (const Ring& at : fitting.rows(kBedSpacing))
     add_block(at, {0, kBedTop - 0.11}, {0.04, 0.04, 0.36}, Material::tie, false, fitting.mesh);
-  add_beam(fitting.rings, {-half_width, kBedTop - 0.07}, {half_width, kBedTop}, Material::tie, true, fitting.mesh);
+  add_beam(fitting.towards_riders(fitting.rings), {-half_width, kBedTop - 0.07}, {half_width, kBedTop}, Material::tie,
+           true, fitting.mesh);
 }
 
 // Adds a band with a ridge for each second link, in a trough.
 void add_chain(const EquipmentMeshInput& fitting) {
   constexpr double kPitch = 0.30, kTroughHalf = 0.15;
   add_bed(fitting, kTroughHalf);
+  const std::vector<Ring> rings = fitting.towards_riders(fitting.rings);
   for (const double side : {-1.0, 1.0}) {
     const double outer = side * kTroughHalf, inner = side * (kTroughHalf - 0.03);
-    add_beam(fitting.rings, {std::min(outer, inner), kBedTop}, {std::max(outer, inner), kBedTop + 0.06}, Material::tie,
-             false, fitting.mesh);
+    add_beam(rings, {std::min(outer, inner), kBedTop}, {std::max(outer, inner), kBedTop + 0.06}, Material::tie, false,
+             fitting.mesh);
   }
-  add_beam(fitting.rings, {-0.025, kBedTop}, {0.025, kBedTop + 0.055}, Material::chain, true, fitting.mesh);
-  for (const Ring& at : spaced_rings(fitting.shape, kPitch)) {
+  add_beam(rings, {-0.025, kBedTop}, {0.025, kBedTop + 0.055}, Material::chain, true, fitting.mesh);
+  for (const Ring& at : fitting.rows(kPitch)) {
     for (const double side : {-1.0, 1.0})
       add_block(at, {0.062 * side, kBedTop + 0.05}, {0.105, 0.05, 0.018}, Material::chain, false, fitting.mesh);
     add_block(at, {0, kBedTop + 0.05}, {0.03, 0.028, 0.055}, Material::chain, false, fitting.mesh);
@@ -59,7 +70,7 @@ void add_chain(const EquipmentMeshInput& fitting) {
 // Adds two rows of upright plates between the rails.
 void add_fins(const EquipmentMeshInput& fitting) {
   add_bed(fitting, 0.22);
-  for (const Ring& at : spaced_rings(fitting.shape, 0.9)) {
+  for (const Ring& at : fitting.rows(0.9)) {
     for (const double side : {-1.0, 1.0}) {
       add_block(at, {0.13 * side, kBedTop + 0.125}, {0.38, 0.125, 0.018}, Material::fin, true, fitting.mesh);
       add_block(at, {0.13 * side, kBedTop + 0.03}, {0.30, 0.03, 0.05}, Material::chain, false, fitting.mesh);
@@ -70,7 +81,7 @@ void add_fins(const EquipmentMeshInput& fitting) {
 // Adds pairs of blocks, with a slot between them for the train's fin.
 void add_stators(const EquipmentMeshInput& fitting) {
   add_bed(fitting, 0.30);
-  for (const Ring& at : spaced_rings(fitting.shape, 0.75)) {
+  for (const Ring& at : fitting.rows(0.75)) {
     for (const double side : {-1.0, 1.0}) {
       add_block(at, {0.16 * side, kBedTop + 0.10}, {0.31, 0.10, 0.09}, Material::stator, true, fitting.mesh);
       add_block(at, {0.16 * side, kBedTop + 0.215}, {0.25, 0.015, 0.06}, Material::chain, false, fitting.mesh);
@@ -104,32 +115,37 @@ void add_handrail(const EquipmentMeshInput& fitting, const std::vector<Ring>& ri
 
 // Adds a walkway on brackets from the spine, on the left.
 void add_walkway(const EquipmentMeshInput& fitting) {
-  constexpr double kInner = 1.05, kOuter = 1.70, kFloor = -0.38;
-  if (!walkable(fitting.rings, 0.82, 0.75)) return;
-  add_beam(fitting.rings, {kInner, kFloor - 0.05}, {kOuter, kFloor}, Material::deck, true, fitting.mesh);
-  add_handrail(fitting, fitting.rings, {kOuter - 0.04, kFloor}, 2.0, false);
+  constexpr double kInner = 1.05, kOuter = 1.70;
+  if (!fitting.form.walkway || !walkable(fitting.rings, 0.82, 0.75)) return;
+  const double floor = *fitting.form.walkway;
+  add_beam(fitting.rings, {kInner, floor - 0.05}, {kOuter, floor}, Material::deck, true, fitting.mesh);
+  add_handrail(fitting, fitting.rings, {kOuter - 0.04, floor}, 2.0, false);
   for (const Ring& at : spaced_rings(fitting.shape, 2.0))
-    add_bar(at.place(0.1, -kSpineDrop), at.place(kOuter - 0.05, kFloor - 0.09), 0.05, 0.04, 6, Material::tie, at.along,
-            true, fitting.mesh);
+    add_bar(at.place(0.1, fitting.form.hold), at.place(kOuter - 0.05, floor - 0.09), 0.05, 0.04, 6, Material::tie,
+            at.along, true, fitting.mesh);
 }
 
 // Adds floors on both sides, slightly below the cars' floor, with a yellow edge, a handrail at the back and legs to the
 // ground.
 void add_platforms(const EquipmentMeshInput& fitting) {
-  constexpr double kInner = 1.02, kOuter = 3.4, kFloor = 0.22, kThick = 0.24, kEdge = 0.14;
+  constexpr double kInner = 1.02, kOuter = 3.4, kThick = 0.24, kEdge = 0.14;
+  const double floor = fitting.form.platform;
   if (!walkable(fitting.rings, 0.35, 0.8)) return;
   const std::vector<Ring> rings = level(fitting.rings);
+  // Under riders whose feet are free lies a floor.
+  if (fitting.form.side < 0)
+    add_beam(rings, {-kInner, floor - kThick}, {kInner, floor - 0.12}, Material::deck, true, fitting.mesh);
   for (const double side : {-1.0, 1.0}) {
     const auto strip = [&](double inner, double outer, double low, double high, Material part) {
       add_beam(rings, {std::min(side * inner, side * outer), low}, {std::max(side * inner, side * outer), high}, part,
                true, fitting.mesh);
     };
-    strip(kInner, kOuter, kFloor - kThick, kFloor, Material::concrete);
-    strip(kInner + 0.06, kInner + 0.06 + kEdge, kFloor, kFloor + 0.012, Material::stripe);
-    add_handrail(fitting, rings, {side * (kOuter - 0.06), kFloor}, 1.8, true);
+    strip(kInner, kOuter, floor - kThick, floor, Material::concrete);
+    strip(kInner + 0.06, kInner + 0.06 + kEdge, floor, floor + 0.012, Material::stripe);
+    add_handrail(fitting, rings, {side * (kOuter - 0.06), floor}, 1.8, true);
     for (const Ring& at : level(spaced_rings(fitting.shape, 4.5)))
       for (const double out : {kInner + 0.35, kOuter - 0.35}) {
-        const dvec3 top = at.place(side * out, kFloor - 0.5 * kThick);
+        const dvec3 top = at.place(side * out, floor - 0.5 * kThick);
         if (top.y > kThick)
           add_bar({top.x, 0, top.z}, top, 0.14, 0.14, 8, Material::concrete, at.along, true, fitting.mesh);
       }
@@ -160,33 +176,46 @@ double rings_wanted(double bend, double twist, double step) {
 }
 
 // Adds a plate from rail to spine, wider at the spine; its ends are inside both.
-void add_arm(const Ring& at, double side, Mesh& mesh) {
-  constexpr double kHalfAtRail = 0.06, kHalfAtSpine = 0.15;
-  const dvec2 rail(0.5 * kGauge * side, 0), spine(0.06 * side, -kSpineDrop + 0.04),
+void add_arm(const Ring& at, double side, const ArmForm& arm, double half_tie, Mesh& mesh) {
+  const dvec2 rail(0.5 * kGauge * side, 0), spine(arm.spine.x * side, arm.spine.y),
       along = glm::normalize(spine - rail);
-  const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards
-  const dvec3 thick = kHalfTie * at.frame.forward;
+  const dvec2 across = side * dvec2(-along.y, along.x);  // downwards and outwards, of a spine below
+  const dvec3 thick = half_tie * at.frame.forward;
   const auto end = [&](dvec2 middle, double half) {
     const dvec3 low = at.place(middle + half * across), high = at.place(middle - half * across);
     return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick}
                     : std::array{low + thick, low - thick, high - thick, high + thick};
   };
-  add_prism(end(rail, kHalfAtRail), end(spine, kHalfAtSpine), Material::tie, at.along, true, mesh);
+  add_prism(end(rail, arm.half_at_rail), end(spine, arm.half_at_spine), Material::tie, at.along, true, mesh);
 }
 
-void add_tubes(std::span<const Ring> rings, Caps caps, Mesh& mesh) {
-  add_tube(rings, {{0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Material::rail, caps}, mesh);
-  add_tube(rings, {{-0.5 * kGauge, 0}, kRailRadius, kRailSides, kRailSides / 2, Material::rail, caps}, mesh);
-  add_tube(rings, {{0, -kSpineDrop}, kSpineRadius, kSpineSides, kSpineSides / 3, Material::spine, caps}, mesh);
+void add_lengths(std::span<const Ring> rings, const CoasterForm& form, Caps caps, Mesh& mesh) {
+  for (Tube tube : form.tubes) {
+    tube.caps = caps;
+    add_tube(rings, tube, mesh);
+  }
+  for (const BeamForm& beam : form.beams) add_beam(rings, beam.low, beam.high, beam.part, beam.from_afar, mesh, caps);
 }
 
-void add_tie(const Ring& at, Mesh& mesh) { add_arm(at, 1.0, mesh), add_arm(at, -1.0, mesh); }
+void add_tie(const Ring& at, const CoasterForm& form, Mesh& mesh) {
+  if (form.arms)
+    for (const double side : {1.0, -1.0}) add_arm(at, side, *form.arms, form.half_tie, mesh);
+  for (const PlateForm& plate : form.plates) {
+    std::array<Ring, 2> ends{at, at};
+    ends[0].position -= plate.half * at.frame.forward, ends[1].position += plate.half * at.frame.forward;
+    add_extrusion(ends, plate.outline, plate.part, true, mesh);
+  }
+}
 
-// Moves the vertices behind the origin to the first ring of a piece and the others to the second one.
-void flatten(Mesh& mesh) {
+// Gives the vertices behind the origin to the first ring of a piece, `half` behind it, and the others to the second
+// one.
+void flatten(Mesh& mesh, double half) {
+  constexpr float kRounding = 1e-6f;  // m
   for (MeshVertex& vertex : mesh.vertices) {
-    vertex.along = vertex.position.x > 0 ? 1.0f : 0.0f;
-    vertex.position.x = 0;
+    const bool second = vertex.position.x > 0;
+    vertex.along = second ? 1.0f : 0.0f;
+    vertex.position.x -= static_cast<float>(second ? half : -half);
+    if (std::abs(vertex.position.x) < kRounding) vertex.position.x = 0;
   }
 }
 
@@ -194,7 +223,7 @@ void flatten(Mesh& mesh) {
 
 void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail) {
   if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
-  const EquipmentMeshInput fitting{shape, rings_of(shape, detail.most_rings), mesh};
+  const EquipmentMeshInput fitting{shape, form_of(shape), rings_of(shape, detail.most_rings), mesh};
   switch (kind) {
     case world::EquipmentKind::station: return add_platforms(fitting);
     case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);
@@ -266,21 +295,21 @@ void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps, const SolidsD
   mesh.clear();
   if (detail.most_rings == 0) return;
   const std::vector<Ring> rings = rings_of(shape, detail.most_rings);
-  add_tubes(rings, caps, mesh);
-  for (const Ring& at : tie_rings(shape, detail)) add_tie(at, mesh);
+  add_lengths(rings, form_of(shape), caps, mesh);
+  for (const Ring& at : tie_rings(shape, detail)) add_tie(at, form_of(shape), mesh);
 }
 
 std::vector<Ring> tie_rings(const SegmentShape& shape, const SolidsDetail& detail) {
   if (!detail.parts || !(shape.arc.length() > kShortestWithTie)) return {};
-  return spaced_rings(shape, kTieSpacing);
+  return spaced_rings(shape, form_of(shape).tie_spacing);
 }
 
-TrackPieces track_pieces() {
+TrackPieces track_pieces(const CoasterForm& form) {
   const curve::Frame frame{{1, 0, 0}, {0, 1, 0}};
   const std::array rings{Ring{{-1, 0, 0}, frame}, Ring{{1, 0, 0}, frame}};
   TrackPieces pieces;
-  add_tubes(rings, {false, false}, pieces.tubes);
-  add_tubes(rings, {false, true}, pieces.caps);
+  add_lengths(rings, form, {false, false}, pieces.tubes);
+  add_lengths(rings, form, {false, true}, pieces.caps);
   // Without the sides, whose triangles join both rings.
   const std::vector<MeshVertex>& vertices = pieces.caps.vertices;
   std::vector<std::uint32_t> fans;
@@ -290,8 +319,8 @@ TrackPieces track_pieces() {
       fans.insert(fans.end(), corner, corner + 3);
   }
   pieces.caps.indices = std::move(fans);
-  add_tie({{0, 0, 0}, frame}, pieces.tie);
-  for (Mesh* mesh : {&pieces.tubes, &pieces.caps, &pieces.tie}) flatten(*mesh);
+  add_tie({{0, 0, 0}, frame}, form, pieces.tie);
+  flatten(pieces.tubes, 1), flatten(pieces.caps, 1), flatten(pieces.tie, form.half_tie);
   return pieces;
 }
 

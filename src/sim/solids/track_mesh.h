@@ -1,21 +1,14 @@
-// The swept solid of one segment: two rails, a spine and ties, and its equipment. Pure functions of the shape; the
-// vertex-buffer cache calls them only if the shape's build number or the equipment changes.
+// The swept solid of one segment: rails, spine and ties of the coaster's kind, and its equipment. Pure functions of the
+// shape; the vertex-buffer cache calls them only if the shape's build number or the equipment changes.
 #pragma once
 
 #include <vector>
 
 #include "sim/shape/detail_limits.h"
-#include "sim/solids/mesh.h"
+#include "sim/solids/coaster_form.h"
 
 namespace coaster::sim {
 
-inline constexpr double kGauge = 1.2;         // m between the rails' axes
-inline constexpr double kRailRadius = 0.12;   // m
-inline constexpr double kSpineRadius = 0.28;  // m
-inline constexpr double kSpineDrop = 0.62;    // m below the rails' plane
-inline constexpr double kTieSpacing = 1.5;    // m between ties, approximately: a whole number per segment
-inline constexpr double kHalfTie = 0.045;     // m, half a tie's thickness along the track
-inline constexpr int kRailSides = 8, kSpineSides = 12;
 // m, largest deviation of rails from their line between rings, unless there are SolidsDetail::most_rings.
 inline constexpr double kSagitta = 0.01;
 
@@ -31,6 +24,9 @@ std::vector<Ring> rings_of(const SegmentShape& shape, int most = kMaxRings);
 // Returns the rings at the middles of equal parts of about `spacing` metres.
 std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 
+// Returns the form of the kind that the shape's track is of.
+inline const CoasterForm& form_of(const SegmentShape& shape) { return form_of(shape.key.kind); }
+
 // Builds rails, spine and ties. The rings at both ends depend on the knots alone, so neighbours meet bit for bit. Tubes
 // have smooth normals and are closed at `caps`. Replaces the contents of `mesh`. A segment of zero length gives tubes
 // of zero length, never NaN. `detail` may leave out the ties, or everything.
@@ -40,14 +36,15 @@ void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const So
 std::vector<Ring> tie_rings(const SegmentShape& shape, const SolidsDetail& detail);
 
 // The parts of a swept solid: a mesh between two rings, around the origin with forward +X, up +Y, left -Z. Every vertex
-// has x = 0 and belongs to the first ring (along 0) or to the second one (along 1). Sweeping `tubes` from ring to ring,
-// `caps` over the first and the last one and `tie` over kHalfTie to both sides of a tie's ring gives sweep_track().
+// has x = 0, or is so far along from its ring, the first (along 0) or the second one (along 1). Sweeping `tubes` from
+// ring to ring, `caps` over the first and the last one and `tie` over half_tie of the form to both sides of a tie's
+// ring gives sweep_track().
 struct TrackPieces {
   Mesh tubes;  // rails and spine; `coarse` for distant views
   Mesh caps;   // closes them, seen against the direction of travel
   Mesh tie;
 };
-TrackPieces track_pieces();
+TrackPieces track_pieces(const CoasterForm& form);
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms next to the track in a station. Walkways and platforms are

@@ -117,20 +117,32 @@ void add_bogie(double x, double side, Mesh& mesh) {
   }
   add_wheel(at(0, -kRailRadius - kUnder, rail), outward, kUnder, mesh);
   const double axle = kRailRadius + kRoad;
-  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018}, Material::tie,
-          0, true, mesh);
-  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Material::tie, 0, true, mesh);
+  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018},
+          Material::chassis, 0, true, mesh);
+  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Material::chassis, 0, true, mesh);
   for (const double along : {-0.17, 0.17})
-    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Material::tie, 0, true, mesh);
-  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Material::tie, 0,
-          false, mesh);
+    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Material::chassis, 0, true, mesh);
+  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Material::chassis,
+          0, false, mesh);
 }
+
+constexpr double kHip = 0.62;  // m above the rails
 
 void add_seat(double x, double z, Mesh& mesh) {
   add_leaning({x - 0.22, 0.62, z - 0.21}, {x - 0.10, 1.08, z + 0.21}, -0.09, Material::seat, mesh);
   add_leaning({x - 0.32, 1.06, z - 0.13}, {x - 0.21, 1.28, z + 0.13}, -0.03, Material::seat, mesh);
   add_bar({x + 0.30, 0.62, z}, {x + 0.25, 0.86, z}, 0.028, 0.028, 8, Material::chain, 0, true, mesh);
   add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Material::chain, 0, true, mesh);
+}
+
+// Adds a bench for two with a low back, and its lap bar.
+void add_bench(double x, Mesh& mesh) {
+  add_block({x - 0.28, 0.66, -0.48}, {x + 0.16, 0.74, 0.48}, Material::seat, mesh);
+  add_leaning({x - 0.30, 0.70, -0.48}, {x - 0.18, 1.10, 0.48}, -0.08, Material::seat, mesh);
+  for (const double side : {-1.0, 1.0})
+    add_bar({x + 0.28, 0.66, 0.44 * side}, {x + 0.24, 0.90, 0.44 * side}, 0.025, 0.025, 8, Material::chain, 0, true,
+            mesh);
+  add_bar({x + 0.24, 0.90, -0.45}, {x + 0.24, 0.90, 0.45}, 0.035, 0.035, 8, Material::chain, 0, true, mesh);
 }
 
 // Adds a rider whose hip is at `hip`, looking along +X, with hands on the bar.
@@ -160,7 +172,8 @@ void add_ball(dvec3 middle, dvec3 half, int sides, Material part, Mesh& mesh) {
   const int rows = sides / 2;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size()), count = static_cast<std::uint32_t>(sides);
   for (int row = 0; row <= rows; ++row) {
-    const base::SinCos high = base::sin_cos(base::kPi * (static_cast<double>(row) / rows - 0.5));
+    base::SinCos high = base::sin_cos(base::kPi * (static_cast<double>(row) / rows - 0.5));
+    if (row == 0 || row == rows) high.cos = 0;  // a pole is one point
     for (int k = 0; k < sides; ++k) {
       const base::SinCos turn = base::sin_cos(2 * base::kPi * k / sides);
       const dvec3 unit(high.cos * turn.cos, high.sin, -high.cos * turn.sin);
@@ -176,7 +189,17 @@ void add_ball(dvec3 middle, dvec3 half, int sides, Material part, Mesh& mesh) {
     }
 }
 
-Mesh car_mesh(bool leading) {
+namespace {
+
+constexpr Material kShirts[] = {Material::teal, Material::sand, Material::linen, Material::plum},
+                   kTrousers[] = {Material::hair, Material::chassis, Material::chassis, Material::hair};
+
+void add_bogies(Mesh& mesh) {
+  for (const double x : {-0.66, 0.66})
+    for (const double side : {-1.0, 1.0}) add_bogie(x, side, mesh);
+}
+
+Mesh steel_car(bool leading) {
   Mesh mesh;
   std::vector<BodySection> body{{-1.10, 0.34, 0.54, 0.40},
                                 {-1.06, 0.28, 0.62, 0.49},
@@ -193,31 +216,185 @@ Mesh car_mesh(bool leading) {
   add_body(body, mesh);
   // The floor of the seats, and the chassis below the body.
   add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Material::seat, mesh);
-  add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Material::tie, mesh);
-  for (const double x : {-0.66, 0.66})
-    for (const double side : {-1.0, 1.0}) add_bogie(x, side, mesh);
-  const Material shirts[] = {Material::teal, Material::sand, Material::linen, Material::plum},
-                 trousers[] = {Material::hair, Material::tie, Material::tie, Material::hair};
+  add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Material::chassis, mesh);
+  add_bogies(mesh);
   int rider = 0;
   for (const double x : {-0.06, -0.74})
     for (const double z : {-0.265, 0.265}) {
       const double shifted = leading ? x : x + 0.24;
       add_seat(shifted, z, mesh);
-      add_rider({shifted, 0.62, z}, shirts[rider], trousers[rider], mesh);
+      add_rider({shifted, kHip, z}, kShirts[rider], kTrousers[rider], mesh);
       ++rider;
     }
   return mesh;
 }
 
-Mesh distant_car_mesh() {
+// A box with low sides and benches, and a flat front that leans back.
+Mesh wooden_car(bool leading) {
   Mesh mesh;
-  add_block({-1.10, 0.23, -0.575}, {1.10, 0.68, 0.575}, Material::body, mesh);
+  add_block({-1.10, 0.24, -0.60}, {1.06, 0.30, 0.60}, Material::chassis, mesh);
+  for (const double side : {-1.0, 1.0}) {
+    const double inner = 0.54 * side, outer = 0.60 * side;
+    add_block({-1.10, 0.30, std::min(inner, outer)}, {1.00, 0.78, std::max(inner, outer)}, Material::body, mesh);
+    add_block({-1.10, 0.52, std::min(outer, outer + 0.012 * side)}, {1.00, 0.60, std::max(outer, outer + 0.012 * side)},
+              Material::stripe, mesh);
+    add_block({-1.10, 0.78, std::min(inner, outer) - 0.02}, {1.02, 0.82, std::max(inner, outer) + 0.02}, Material::seat,
+              mesh);
+  }
+  add_block({-1.10, 0.30, -0.60}, {-1.04, 1.12, 0.60}, Material::body, mesh);
+  if (leading) {
+    add_leaning({0.90, 0.26, -0.60}, {1.09, 0.76, 0.60}, -0.14, Material::body, mesh);
+    add_leaning({0.94, 0.40, -0.30}, {1.10, 0.70, 0.30}, -0.09, Material::stripe, mesh);
+  } else {
+    add_block({1.02, 0.30, -0.60}, {1.10, 0.80, 0.60}, Material::body, mesh);
+  }
+  add_bogies(mesh);
+  int rider = 0;
+  for (const double row : {-0.08, -0.70}) {
+    const double x = leading ? row : row + 0.26;
+    add_bench(x, mesh);
+    for (const double z : {-0.25, 0.25}) {
+      add_rider({x, 0.74, z}, kShirts[rider], kTrousers[rider], mesh);
+      ++rider;
+    }
+  }
+  return mesh;
+}
+
+// A frame between the wheels, and seats that hang from it back to back with the frame's hangers, feet free.
+Mesh inverted_car(bool leading) {
+  constexpr double kSeat = -1.68;  // of the hips
+  Mesh mesh;
+  add_bogies(mesh);
+  add_block({-1.10, -0.36, -0.40}, {leading ? 0.90 : 1.10, -0.20, 0.40}, Material::chassis, mesh);
+  if (leading) add_ball({0.90, -0.24, 0}, {0.20, 0.14, 0.44}, 16, Material::body, mesh);
+  int rider = 0;
+  for (const double row : {-0.10, -0.74}) {
+    const double x = leading ? row : row + 0.40;
+    add_bar({x - 0.26, -0.34, 0}, {x - 0.26, kSeat + 0.86, 0}, 0.09, 0.08, 10, Material::body, 0, true, mesh);
+    add_block({x - 0.34, kSeat + 0.74, -0.62}, {x - 0.18, kSeat + 0.88, 0.62}, Material::body, mesh);
+    add_block({x - 0.35, kSeat + 0.78, -0.63}, {x - 0.17, kSeat + 0.83, 0.63}, Material::stripe, mesh);
+    for (const double z : {-0.34, 0.34}) {
+      add_leaning({x - 0.24, kSeat - 0.06, z - 0.22}, {x - 0.13, kSeat + 0.78, z + 0.22}, -0.07, Material::body, mesh);
+      add_block({x - 0.24, kSeat - 0.12, z - 0.22}, {x + 0.26, kSeat - 0.02, z + 0.22}, Material::body, mesh);
+      for (const double side : {-1.0, 1.0})
+        add_bar({x - 0.20, kSeat + 0.74, z + 0.14 * side}, {x + 0.20, kSeat + 0.20, z + 0.12 * side}, 0.045, 0.035, 8,
+                Material::stripe, 0, true, mesh);
+      add_rider({x, kSeat, z}, kShirts[rider], kTrousers[rider], mesh);
+      ++rider;
+    }
+  }
+  return mesh;
+}
+
+// The boiler, chimney and cow catcher of a locomotive in front of a row of riders.
+void add_locomotive(Mesh& mesh) {
+  constexpr double kAxis = 0.64;
+  add_bar({-0.12, kAxis, 0}, {0.94, kAxis, 0}, 0.34, 0.34, 16, Material::body, 0, true, mesh);
+  for (const double x : {0.06, 0.46, 0.86})
+    add_bar({x, kAxis, 0}, {x + 0.05, kAxis, 0}, 0.36, 0.36, 16, Material::stripe, 0, true, mesh);
+  add_bar({0.94, kAxis, 0}, {1.00, kAxis, 0}, 0.30, 0.22, 16, Material::chain, 0, true, mesh);
+  add_bar({0.74, 0.92, 0}, {0.74, 1.10, 0}, 0.08, 0.09, 12, Material::chassis, 0, true, mesh);
+  add_bar({0.74, 1.10, 0}, {0.74, 1.18, 0}, 0.15, 0.11, 12, Material::chassis, 0, true, mesh);
+  add_ball({0.36, 0.96, 0}, {0.11, 0.11, 0.11}, 12, Material::stripe, mesh);
+  add_ball({0.98, 0.94, 0}, {0.09, 0.09, 0.09}, 12, Material::stripe, mesh);
+  add_leaning({0.90, 0.16, -0.50}, {1.10, 0.42, 0.50}, -0.16, Material::stripe, mesh);
+  for (const double side : {-1.0, 1.0})
+    add_block({-0.20, 0.34, 0.42 * side - 0.10}, {0.90, 0.40, 0.42 * side + 0.10}, Material::chassis, mesh);
+}
+
+// A bucket whose sides flare, with bands of iron.
+void add_bucket(double from, double to, Mesh& mesh) {
+  for (const double side : {-1.0, 1.0}) {
+    const auto wall = [&](double low, double high, double out, double thick, Material part) {
+      // Sides lean outwards by a quarter of their height.
+      const auto face = [&](double x) {
+        const double a = side * (out + 0.25 * low), b = side * (out + 0.25 * high), c = a + side * thick,
+                     d = b + side * thick;
+        return side < 0 ? std::array{dvec3(x, low, a), dvec3(x, low, c), dvec3(x, high, d), dvec3(x, high, b)}
+                        : std::array{dvec3(x, low, c), dvec3(x, low, a), dvec3(x, high, b), dvec3(x, high, d)};
+      };
+      add_prism(face(to), face(from), part, 0, true, mesh);
+    };
+    wall(0.28, 0.92, 0.34, 0.06, Material::body);
+    wall(0.86, 0.94, 0.34, 0.09, Material::chassis);
+    wall(0.44, 0.50, 0.34, 0.08, Material::chassis);
+  }
+  add_block({from, 0.24, -0.44}, {to, 0.30, 0.44}, Material::chassis, mesh);
+  for (const double x : {from, to - 0.06}) add_block({x, 0.28, -0.52}, {x + 0.06, 0.90, 0.52}, Material::body, mesh);
+}
+
+Mesh mine_car(bool leading) {
+  Mesh mesh;
+  if (leading) add_locomotive(mesh);
+  add_block({-1.02, 0.14, -0.34}, {1.02, 0.26, 0.34}, Material::chassis, mesh);
+  add_bucket(-1.10, leading ? -0.16 : 1.10, mesh);
+  add_bogies(mesh);
+  int rider = 0;
+  for (const double x : {-0.66, 0.34}) {
+    if (leading && x > 0) break;
+    add_bench(x, mesh);
+    for (const double z : {-0.25, 0.25}) {
+      add_rider({x, 0.72, z}, kShirts[rider], kTrousers[rider], mesh);
+      ++rider;
+    }
+  }
+  return mesh;
+}
+
+// A low round car; the first one is a dragon.
+Mesh kiddie_car(bool leading) {
+  Mesh mesh;
+  const BodySection body[] = {{-1.10, 0.30, 0.50, 0.30}, {-1.00, 0.22, 0.66, 0.46}, {-0.80, 0.20, 0.76, 0.56},
+                              {0.60, 0.20, 0.76, 0.56},  {0.90, 0.22, 0.72, 0.48},  {1.10, 0.28, 0.60, 0.32}};
+  add_body(body, mesh);
+  add_bogies(mesh);
+  if (leading) {
+    add_bar({0.56, 0.60, 0}, {0.76, 0.86, 0}, 0.24, 0.18, 12, Material::body, 0, true, mesh);
+    add_ball({0.80, 0.84, 0}, {0.24, 0.17, 0.22}, 16, Material::body, mesh);
+    add_ball({0.96, 0.80, 0}, {0.14, 0.09, 0.17}, 12, Material::stripe, mesh);
+    for (const double side : {-1.0, 1.0}) {
+      add_ball({0.84, 0.98, 0.12 * side}, {0.07, 0.07, 0.07}, 10, Material::linen, mesh);
+      add_ball({0.89, 0.99, 0.13 * side}, {0.035, 0.04, 0.04}, 8, Material::wheel, mesh);
+      add_bar({0.72, 0.94, 0.12 * side}, {0.60, 1.12, 0.17 * side}, 0.05, 0.01, 8, Material::stripe, 0, true, mesh);
+    }
+  }
+  int rider = 0;
+  for (const double row : {-0.08, -0.70}) {
+    const double x = leading ? row : row + 0.36;
+    add_ball({x, 0.70, 0}, {0.26, 0.08, 0.46}, 12, Material::seat, mesh);
+    add_leaning({x - 0.30, 0.70, -0.03}, {x - 0.16, 0.94, 0.03}, -0.06, Material::stripe, mesh);
+    for (const double z : {-0.26, 0.26}) {
+      add_rider({x, 0.56, z}, kShirts[rider], kTrousers[rider], mesh);
+      ++rider;
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Mesh car_mesh(world::CoasterKind kind, bool leading) {
+  switch (kind) {
+    case world::CoasterKind::steel: return steel_car(leading);
+    case world::CoasterKind::wooden: return wooden_car(leading);
+    case world::CoasterKind::inverted: return inverted_car(leading);
+    case world::CoasterKind::mine: return mine_car(leading);
+    case world::CoasterKind::kiddie: return kiddie_car(leading);
+  }
+  return {};
+}
+
+Mesh distant_car_mesh(world::CoasterKind kind) {
+  Mesh mesh;
+  const bool hangs = form_of(kind).side < 0;
+  add_block({-1.10, hangs ? -2.0 : 0.23, -0.575}, {1.10, hangs ? -0.2 : 0.68, 0.575}, Material::body, mesh);
   return mesh;
 }
 
 Mesh coupling_mesh() {
   Mesh mesh;
-  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Material::tie, 0, true, mesh);
+  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Material::chassis, 0, true, mesh);
   return mesh;
 }
 

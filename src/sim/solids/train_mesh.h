@@ -2,19 +2,18 @@
 // +Y, left -Z, the rails' plane at y = 0.
 #pragma once
 
-#include "sim/solids/mesh.h"
+#include "sim/solids/coaster_form.h"
 
 namespace coaster::sim {
 
-inline constexpr double kHitchHeight = 0.21;  // m above the rails' plane, of couplings
-inline constexpr double kHitchBack = 1.0;     // m from a car's middle to its hitches, for a car of world::kCarLength
-inline constexpr double kWheelRoom = 0.38;    // m about a rail's axis, clearance for wheels and bogies
+inline constexpr double kHitchBack = 1.0;  // m from a car's middle to its hitches, for a car of world::kCarLength
 
-// Returns a car of 2.2 m: body, chassis, wheels above, beside and below the rails, two rows of two riders. A leading
-// car has a rounded nose.
-Mesh car_mesh(bool leading);
+// Returns a car of 2.2 m of a kind: body, chassis, wheels above, beside and below the rails, two rows of two riders,
+// who hang below the rails on an inverted coaster. A leading car has a nose; that of a mine train is a locomotive, with
+// riders in the tender.
+Mesh car_mesh(world::CoasterKind kind, bool leading);
 // Returns the body of a car only, as a block: 12 triangles.
-Mesh distant_car_mesh();
+Mesh distant_car_mesh(world::CoasterKind kind);
 // Returns a bar from the origin to (1, 0, 0).
 Mesh coupling_mesh();
 

@@ -147,7 +147,7 @@ std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, fl
 
 }  // namespace
 
-const ForceLimitCurves& default_envelope() {
+const ForceLimitCurves& default_envelope(world::CoasterKind kind) {
   static const ForceLimitCurves kDefault{
       {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
        EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
@@ -155,7 +155,16 @@ const ForceLimitCurves& default_envelope() {
        EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
       0.2,
       5.0};
-  return kDefault;
+  static const std::vector<ForceLimitCurves> kOfKinds = [] {
+    std::vector<ForceLimitCurves> all;
+    for (const world::CoasterKindRow& row : rows_of(world::CoasterKind{})) {
+      all.push_back(kDefault);
+      for (EnvelopeCurve& curve : all.back().curves)
+        for (ForceLimitPoint& point : curve) point.g *= row.limits;
+    }
+    return all;
+  }();
+  return kOfKinds[static_cast<std::size_t>(kind)];
 }
 
 double limit(const EnvelopeCurve& curve, double seconds) {

@@ -8,6 +8,7 @@
 
 #include "base/enum_names.h"
 #include "sim/ride/simulated_ride.h"
+#include "world/coaster_kind.h"
 
 namespace coaster::sim {
 
@@ -37,7 +38,8 @@ struct ForceLimitCurves {
   double cutoff = 5.0;    // Hz, of the low-pass filter
   friend bool operator==(const ForceLimitCurves&, const ForceLimitCurves&) = default;
 };
-const ForceLimitCurves& default_envelope();
+// Returns those of a kind of coaster: kiddie coasters have lower ones.
+const ForceLimitCurves& default_envelope(world::CoasterKind kind = {});
 double limit(const EnvelopeCurve& curve, double seconds);
 
 // Applies a Butterworth low-pass of four poles in place to samples at `rate` per second, starting in the steady state

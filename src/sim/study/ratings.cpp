@@ -218,7 +218,7 @@ NearMisses near_misses(const SimulatedRide& simulated, const DerivedTrack& deriv
     if (sample.speed < kSlowestMiss) continue;
     const double at = simulated.distance(i);
     const TrackPlace place = place_at(derived, at);
-    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
+    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, form_of(derived.made.kind).head);
     bool by_track = false, by_support = false;
     cells.visit(head, [&](const NearMissObject& thing) {
       bool& near = thing.support ? by_support : by_track;

@@ -69,9 +69,9 @@ struct NearMisses {
   int count() const { return track + supports; }
 };
 
-// Height of a rider's head above the rails, and the distance of a near miss from it, m: to the middle of other track,
-// and to the surface of a support's bar.
-inline constexpr double kHead = 1.5, kNearTrack = 3.0, kNearBar = 2.2;
+// The distance of a near miss from a rider's head (CoasterForm::head), m: to the middle of other track, and to the
+// surface of a support's bar.
+inline constexpr double kNearTrack = 3.0, kNearBar = 2.2;
 inline constexpr double kSlowestMiss = 5;  // m/s: slower passes do not count
 inline constexpr double kMissApart =
     12;  // m along the rails: closer parts are one stretch, and closer near misses are one

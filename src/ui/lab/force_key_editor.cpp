@@ -408,7 +408,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   if (plan->path.ramp > 0) series.push_back({"ramp", ramp, bottom, kRampColour, SeriesKind::line, 1.0f, top});
   const std::array nowhere{std::numeric_limits<double>::quiet_NaN()};  // the legend of the right axis
   if (!felt.empty()) series.push_back({"felt", {ramp.data(), 1}, nowhere, kFeltColour});
-  const std::vector<LevelLine> levels = shown_limits(ui.session().limits.envelope, axes, ends);
+  const std::vector<LevelLine> levels = shown_limits(edit::force_limits(ui.session()), axes, ends);
   const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
   KnobTouch touch;
   Plot picture{

@@ -43,7 +43,7 @@ void side(Ui& ui, const sim::SimulatedRide& simulated, const sim::Ratings& r, bo
   read_out(ui, "Vertical",
            fmt::format("{} .. {}", digits(ui, r.up_least.value, 2, "g"), digits(ui, r.up_most.value, 2, "g")), "g",
            fmt::format("Smallest and largest felt g, low-passed at {:.3g} Hz, all cars.",
-                       ui.session().limits.envelope.cutoff));
+                       edit::force_limits(ui.session()).cutoff));
   read_out(ui, "Lateral", digits(ui, r.side_most.value, 2, "g"), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
@@ -96,7 +96,7 @@ void red_table(Ui& ui, std::span<const sim::Overload> red, float height, bool br
                "Try moves of the knots near the selected overload and report the one that reduces it most.",
                ui.lab.red_chosen >= 0))
       ui.lab.advised = true,
-      ui.lab.advice = sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
+      ui.lab.advice = sim::advise(session.document, edit::chosen_cart(session), edit::force_limits(session),
                                   red[static_cast<std::size_t>(ui.lab.red_chosen)]);
     if (ui.lab.advised) advice_rows(ui);
     height -= (ui.lab.advised ? 3.0f : 1.0f) * ImGui::GetFrameHeightWithSpacing();

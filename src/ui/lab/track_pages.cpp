@@ -124,7 +124,7 @@ const JointList& kept_joints(Ui& ui) {
   const sim::DerivedTrack& derived = session.derived;
   const sim::SimulatedRide* const ridden = ui.find.ride();
   const std::uint64_t ride = ridden != nullptr ? ridden->serial : 0;
-  const double cutoff = session.limits.envelope.cutoff;
+  const double cutoff = edit::force_limits(session).cutoff;
   return ui.lab.joints.get({derived.last_build, derived.order, derived.closed, ride, cutoff}, [&] {
     std::vector<JointRow> rows = joints_of(session, ui.find.jolts());
     std::vector<std::size_t> order = by_jolt(rows);

@@ -279,6 +279,7 @@ void section_panel(Ui& ui) {
   section_equipment(ui, chosen);
   section_buttons(ui, chosen);
   if (chosen.single()) section_figures_rows(ui, chosen);
+  section_paint(ui, chosen);
   ImGui::PopID();
 }
 

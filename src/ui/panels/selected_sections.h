@@ -40,6 +40,9 @@ void take_answer(Ui& ui);
 // Returns the reason if the last change was refused and was one of this parameter of this section; else "".
 std::string_view refusal_of(const Ui& ui, world::EntityName section, std::string_view parameter);
 
+// Shows the paint of the selected sections, in the Section panel.
+void section_paint(Ui& ui, const SelectedSections& chosen);
+
 // Builds the table of sections over `area`, in Build.
 void build_sections_table(Ui& ui, const view::Viewport& area);
 

@@ -141,6 +141,12 @@ void draw_number(const WidgetFrame& ui, const Number& n, std::string_view name, 
   list.PopClipRect();
 }
 
+void begin_gesture(WidgetFrame& ui, ImGuiID id) {
+  if (ui.gesture.open) return;
+  ui.gesture = {id, true};
+  ui.begin_gesture();
+}
+
 std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   double value = n.value;
   const bool bounded = n.low < n.high;
@@ -151,10 +157,7 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
                                          ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp);
   ImGui::PopStyleColor();
   if (!changed || !std::isfinite(value)) return std::nullopt;
-  if (!ui.gesture.open) {
-    ui.gesture = {id, true};
-    ui.begin_gesture();
-  }
+  begin_gesture(ui, id);
   return value;
 }
 
@@ -309,6 +312,27 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
   note(ui, label, "combo", tooltip, true, preview, low, high);
   if (fitting != preview) ui.list.mark_cut();
   return chosen;
+}
+
+std::optional<std::int32_t> colour_field(WidgetFrame& ui, std::string_view label, std::int32_t rgb,
+                                         std::string_view tooltip) {
+  constexpr ImGuiColorEditFlags kLook = ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoOptions |
+                                        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_PickerHueWheel;
+  const bool enabled = ui.locked.empty();
+  float parts[3];
+  for (int i = 0; i < 3; ++i) parts[i] = static_cast<float>(rgb >> (16 - 8 * i) & 255) / 255;
+  begin_row(label);
+  ImGui::BeginDisabled(!enabled);
+  const bool changed = ImGui::ColorEdit3(hidden(label).c_str(), parts, kLook);
+  ImGui::EndDisabled();
+  note_item(ui, label, "colour", tooltip, enabled, fmt::format("#{:06x}", rgb));
+  if (!changed) return std::nullopt;
+  std::int32_t now = 0;
+  for (const float part : parts)
+    now = now << 8 | static_cast<std::int32_t>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+  if (now == rgb) return std::nullopt;
+  begin_gesture(ui, ImGui::GetActiveID());
+  return now;
 }
 
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,

@@ -207,6 +207,10 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
 // Shows a slider for a real number, displayed with and rounded to `decimals`.
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
                                   int decimals, std::string_view tooltip, const char* unit = "");
+// Shows a colour (0xRRGGBB) as hexadecimal digits, to type or drag, and a swatch that opens a picker. Returns the new
+// colour with every change, within a gesture.
+std::optional<std::int32_t> colour_field(WidgetFrame& ui, std::string_view label, std::int32_t rgb,
+                                         std::string_view tooltip);
 // What a text field shows of a text that is too long while it is not edited: of a path its end. The tooltip has it all.
 enum class ShownTextEnd { start, end };
 // Shows a text field. Returns the text on Enter, or when it loses focus with the text changed.

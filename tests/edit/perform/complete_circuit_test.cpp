@@ -13,12 +13,18 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/random_tracks.h"
 #include "sim/shape/rails.h"
+#include "sim/solids/coaster_form.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
 #include "world/aid_settings.h"
 
 namespace coaster::edit {
 namespace perform_complete_circuit_test {
+
+const double kTrainRadius = sim::form_of(world::CoasterKind::steel).train.radius,
+             kTrackRadius = sim::form_of(world::CoasterKind::steel).track.radius,
+             kTrainLift = sim::form_of(world::CoasterKind::steel).train.lift,
+             kTrackDrop = -sim::form_of(world::CoasterKind::steel).track.lift;
 
 using glm::dvec3;
 
@@ -84,9 +90,9 @@ void expect_clear(const std::vector<Sample>& line, double from, double length) {
     for (const Sample& b : line) {
       const double apart = std::abs(a.s - b.s);
       if (std::min(apart, length - apart) < sim::kSameStretch + 1 || glm::distance(a.rails, b.rails) > 4) continue;
-      const double room = std::min(glm::distance(lift(a, sim::kTrainLift), lift(b, -sim::kTrackDrop)),
-                                   glm::distance(lift(b, sim::kTrainLift), lift(a, -sim::kTrackDrop)));
-      ASSERT_GT(room, sim::kTrainRadius + sim::kTrackRadius) << a.s << " and " << b.s;
+      const double room = std::min(glm::distance(lift(a, kTrainLift), lift(b, -kTrackDrop)),
+                                   glm::distance(lift(b, kTrainLift), lift(a, -kTrackDrop)));
+      ASSERT_GT(room, kTrainRadius + kTrackRadius) << a.s << " and " << b.s;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "edit/force_fixture.h"
+#include "edit/session/ride_report.h"
 
 namespace coaster::edit {
 namespace force_sections_test {

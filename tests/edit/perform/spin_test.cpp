@@ -154,7 +154,7 @@ TEST_F(Spins, files_keep_spins_and_their_kinds) {
   const auto again = exchange::parse_track(exchange::print_track(session.document), "t");
   ASSERT_TRUE(again) << again.status().message;
   EXPECT_EQ(world::hash(again->document), world::hash(session.document));
-  EXPECT_EQ(again->version, exchange::kTrackVersion);
+  EXPECT_EQ(again->version, exchange::version_of(session.document));
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(world::knot(again->document, again->document.track.knots[i]).spin, spin(i)) << i;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "edit/session/ride_report.h"
 #include "edit/session_fixture.h"
 #include "sim/plan/element_plan.h"
 #include "sim/shape/frame_methods.h"

@@ -147,8 +147,9 @@ TEST_F(RideReport, names_carry_units_and_none_is_null) {
 
 TEST_F(RideReport, overloads_are_a_list_in_the_order_of_the_text) {
   open("tracks/loop.json");
-  session.limits.envelope.curves[static_cast<std::size_t>(sim::ForceAxis::down)] = {{0.2, 1.5}};
-  session.limits.envelope.curves[static_cast<std::size_t>(sim::ForceAxis::lift)] = {{0.2, 0.1}};
+  session.limits.loaded = sim::default_envelope();
+  session.limits.loaded->curves[static_cast<std::size_t>(sim::ForceAxis::down)] = {{0.2, 1.5}};
+  session.limits.loaded->curves[static_cast<std::size_t>(sim::ForceAxis::lift)] = {{0.2, 0.1}};
   const std::span<const sim::Overload> overloads = SessionFindings(session).overloads();
   const exchange::Json list = json()["overloads"];
   ASSERT_GT(list.size(), 2u);

@@ -14,6 +14,8 @@
 namespace coaster::exchange {
 namespace obj_print_test {
 
+constexpr int kRailSides = 8, kSpineSides = 12;  // of steel
+
 using test::closed_document;
 using test::Obj;
 using test::read_obj;
@@ -38,7 +40,7 @@ double volume(const std::vector<glm::vec3>& positions, const std::vector<std::ui
 }
 
 // Of two rails and a spine, at one end: a fan over n corners has n - 2 triangles.
-constexpr std::size_t kCapTriangles = 2 * (sim::kRailSides - 2) + sim::kSpineSides - 2;
+constexpr std::size_t kCapTriangles = 2 * (kRailSides - 2) + kSpineSides - 2;
 
 // The triangles of a tube's cap are the flat faces across the track: counts those at each end of a segment. Corners of
 // sides are in two rings.
@@ -81,8 +83,8 @@ TEST(Obj, tubes_have_caps_at_the_ends_of_open_track_alone_and_every_edge_twice) 
   for (const world::Document& d : {test::sample_document(), closed_document()}) {
     const Obj obj = read_obj(print_obj(d));
     const std::size_t ends = d.track.closed ? 0 : 2;
-    EXPECT_EQ(caps_of(obj, "rails", d), 2 * ends * (sim::kRailSides - 2));
-    EXPECT_EQ(caps_of(obj, "spine", d), ends * (sim::kSpineSides - 2));
+    EXPECT_EQ(caps_of(obj, "rails", d), 2 * ends * (kRailSides - 2));
+    EXPECT_EQ(caps_of(obj, "spine", d), ends * (kSpineSides - 2));
     EXPECT_EQ(open_edges(obj, "rails"), 0u);
     EXPECT_EQ(open_edges(obj, "spine"), 0u);
   }
@@ -103,7 +105,7 @@ TEST(Obj, has_the_swept_track_and_the_centre_line) {
     sim::Supports supports;
     supports.update(derived);
     for (const world::Entity s : d.track.segments) {
-      sim::build_support_mesh(*supports.of(s), mesh);
+      sim::build_support_mesh(*supports.of(s), sim::form_of(world::CoasterKind::steel), mesh);
       triangles += mesh.indices.size(), vertices += mesh.vertices.size();
     }
     const auto size_of = [&](const char* group) {

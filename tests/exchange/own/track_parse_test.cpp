@@ -101,7 +101,7 @@ TEST(track_parse, the_head_is_checked) {
   expect_error("[]", "t.json: error: expected an object, found an array of 0");
   expect_error("{}", "format: missing");
   expect_error(with("coaster-track", "other"), "format: expected \"coaster-track\", found \"other\"");
-  expect_error(with("\"version\": 3", "\"version\": 4"), "version 4 is newer than this program supports (3)");
+  expect_error(with("\"version\": 3", "\"version\": 5"), "version 5 is newer than this program supports (4)");
   expect_error(with("\"version\": 3", "\"version\": 0"), "version: expected a whole number");
   expect_error(with("\"version\": 3", "\"version\": 1.5"), "version: expected a whole number");
   expect_error(with("\"closed\": false", "\"closed\": 0"), "closed: expected true or false, found 0");

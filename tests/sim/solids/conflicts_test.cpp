@@ -10,12 +10,17 @@
 #include "base/files.h"
 #include "exchange/formats.h"
 #include "sim/solids/clearance.h"
+#include "sim/solids/coaster_form.h"
 #include "sim/solids/conflict_types.h"
 #include "sim/tracks.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
 namespace conflicts_test {
+
+const CoasterForm& kSteel = form_of(world::CoasterKind::steel);
+const double kTrainRadius = kSteel.train.radius, kTrainLift = kSteel.train.lift, kTrackRadius = kSteel.track.radius,
+             kTrackDrop = -kSteel.track.lift;
 
 using glm::dvec3;
 
@@ -64,7 +69,7 @@ world::Document criss_cross(std::uint32_t seed, std::size_t knots) {
 }
 
 TEST(conflicts, track_over_track_needs_room_for_heads) {
-  constexpr double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
+  const double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
   for (const double over : {0.5, 1.5, 2.5, kEnough - 0.05}) {
     const DerivedTrack derived = test::derived_of(crossing(static_cast<float>(over)));
     const auto found = conflicts_of(derived);

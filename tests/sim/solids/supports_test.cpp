@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
+#include "sim/kinds.h"
 #include "sim/solids.h"
 #include "sim/solids/track_mesh.h"
 #include "sim/tracks.h"
@@ -14,6 +15,8 @@ namespace coaster::sim {
 namespace supports_test {
 
 using glm::dvec3;
+
+const double kSpineDrop = -form_of(world::CoasterKind::steel).hold;
 
 Supports supports_of(const DerivedTrack& derived) {
   Supports supports;
@@ -75,6 +78,7 @@ std::vector<Sample> samples_of(const DerivedTrack& derived, double spacing) {
 
 // Returns the number of samples within the envelope of a bar, which is tested point by point.
 int disturbed(const DerivedTrack& derived, const Supports& supports) {
+  const CoasterForm& form = form_of(derived.made.kind);
   const std::vector<Sample> track = samples_of(derived, 0.25);
   int found = 0;
   for (const world::Entity e : derived.order) {
@@ -84,7 +88,7 @@ int disturbed(const DerivedTrack& derived, const Supports& supports) {
       // The bar's own support: the hold that is nearest to its upper end.
       double least = 1e9, held = 0;
       for (const Ring& hold : mine.holds) {
-        const dvec3 spine = hold.position - kSpineDrop * hold.frame.up;
+        const dvec3 spine = hold.position + form.hold * hold.frame.up;
         for (const glm::vec3 end : {bar.from, bar.to}) {
           const double apart = glm::distance(dvec3(end), spine);
           const double start = derived.starts[static_cast<std::size_t>(
@@ -102,10 +106,10 @@ int disturbed(const DerivedTrack& derived, const Supports& supports) {
           if (derived.closed) apart = std::min(apart, derived.length - apart);
           // A strut's own support may be any of the segment's: what is near one of them is left to its legs.
           if (apart < kHeldReach + 0.3) {
-            found += glm::distance(p, s.place + kRiderLift * s.up) < kRiderRadius + radius - 0.01;
+            found += glm::distance(p, s.place + form.riders.lift * s.up) < form.riders.radius + radius - 0.01;
             continue;
           }
-          found += glm::distance(p, s.place + kEnvelopeLift * s.up) < kEnvelopeRadius + radius - 0.01;
+          found += glm::distance(p, s.place + form.envelope.lift * s.up) < form.envelope.radius + radius - 0.01;
         }
       }
     }
@@ -124,6 +128,55 @@ TEST(supports, keep_out_of_the_room_of_trains_everywhere) {
   const Supports supports = supports_of(helix);
   EXPECT_GT(supports.count(), 8);
   EXPECT_EQ(disturbed(helix, supports), 0);
+}
+
+class SupportsOfKind : public testing::TestWithParam<world::CoasterKind> {};
+INSTANTIATE_TEST_SUITE_P(all, SupportsOfKind, testing::ValuesIn(test::kinds()), test::kind_name);
+
+TEST_P(SupportsOfKind, hold_the_track_and_keep_out_of_the_room_of_its_trains) {
+  for (int seed = 1; seed <= test::tries(2); ++seed) {
+    world::Document d = tangle(static_cast<std::uint32_t>(seed), 30);
+    d.kind = GetParam();
+    const DerivedTrack derived = test::derived_of(d);
+    const Supports supports = supports_of(derived);
+    EXPECT_GT(supports.count(), 10) << seed;
+    EXPECT_EQ(disturbed(derived, supports), 0) << seed;
+    for (const world::Entity e : derived.order) {
+      const SegmentSupports& mine = *supports.of(e);
+      for (const Bar& bar : mine.bars)
+        if (bar.grounded) EXPECT_LT(std::abs(bar.to.y), 1e-5f);
+      // Nothing floats: each brace ends at legs of this segment's bents, or where the next segment begins.
+      for (const Brace& brace : mine.braces) {
+        const auto off = [&](glm::vec3 p) {
+          double least = 1e9;
+          for (const Bar& leg : mine.bars)
+            least = std::min(least, distance_between(dvec3(leg.from), dvec3(leg.to), dvec3(p), dvec3(p)));
+          return least;
+        };
+        const SegmentShape& shape = derived.shape(e);
+        const Ring next = ring_at(shape, shape.arc.length());
+        const bool onward = glm::distance(dvec3(brace.to), next.position) < 2 + next.position.y;
+        EXPECT_LT(off(brace.from), 0.01);
+        EXPECT_TRUE(off(brace.to) < 0.01 || onward);
+      }
+      Mesh mesh;
+      build_support_mesh(mine, form_of(GetParam()), mesh);
+      EXPECT_TRUE(test::finite(mesh));
+    }
+  }
+}
+
+TEST(supports, of_an_inverted_coaster_hold_the_spine_over_the_train_from_beside_it) {
+  world::Document d = test::straight_document({1.7f, 9.3f, 2.1f}, {21.7f, 9.3f, 17.1f});
+  d.kind = world::CoasterKind::inverted;
+  const DerivedTrack derived = test::derived_of(d);
+  const Supports supports = supports_of(derived);
+  const SegmentSupports& found = *supports.of(derived.order[0]);
+  ASSERT_GE(found.holds.size(), 2u);
+  for (const Bar& bar : found.bars) {
+    if (!bar.grounded) EXPECT_NEAR(bar.from.y, 9.3 + form_of(d.kind).hold, 1e-5);
+    else EXPECT_GT(std::abs(0.6f * (bar.to.x - 1.7f) - 0.8f * (bar.to.z - 2.1f)), 1.9f) << "beside the riders' legs";
+  }
 }
 
 TEST(supports, the_oracle_sees_a_column_that_stands_in_the_way) {
@@ -294,7 +347,7 @@ TEST(supports, of_degenerate_and_random_tracks_are_finite) {
     const Supports supports = supports_of(derived);
     Mesh mesh;
     for (const world::Entity e : derived.order) {
-      build_support_mesh(*supports.of(e), mesh);
+      build_support_mesh(*supports.of(e), form_of(world::CoasterKind::steel), mesh);
       EXPECT_TRUE(test::finite(mesh));
       EXPECT_EQ(test::wrong_normals(mesh), 0);
     }
@@ -305,7 +358,7 @@ TEST(supports, are_closed_solids_with_a_footing_for_every_foot) {
   const DerivedTrack derived = test::derived_of(test::straight_document({1.7f, 29.3f, 2.1f}, {25.7f, 29.3f, 20.1f}));
   const Supports supports = supports_of(derived);
   Mesh mesh;
-  build_support_mesh(*supports.of(derived.order[0]), mesh);
+  build_support_mesh(*supports.of(derived.order[0]), form_of(world::CoasterKind::steel), mesh);
   EXPECT_EQ(test::open_edges(mesh), 0);
   EXPECT_EQ(test::open_edges(mesh, mesh.coarse), 0);
   EXPECT_GT(test::volume(mesh, Material::concrete), 0);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/kinds.h"
 #include "sim/solids.h"
 #include "sim/tracks.h"
 
@@ -21,6 +22,10 @@ using test::inside_out;
 using test::open_edges;
 using test::volume;
 using test::wrong_normals;
+
+const CoasterForm& kSteel = form_of(world::CoasterKind::steel);
+const double kSpineDrop = -kSteel.hold, kSpineRadius = kSteel.hold_radius, kHalfTie = kSteel.half_tie;
+constexpr int kRailSides = 8, kSpineSides = 12;
 
 Mesh swept(const SegmentShape& shape) {
   Mesh mesh;
@@ -97,9 +102,12 @@ void add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& indices, 
 
 // As the vertex shader sweeps them. Rounding may put a corner into the next millimetre, and the first cap is cut
 // otherwise.
-TEST(track_mesh, consists_of_pieces_between_rings) {
-  const TrackPieces pieces = track_pieces();
-  const world::Document d = test::ring_document(8, 21.3);
+class TrackMeshOfKind : public testing::TestWithParam<world::CoasterKind> {};
+TEST_P(TrackMeshOfKind, consists_of_pieces_between_rings) {
+  const CoasterForm& form = form_of(GetParam());
+  const TrackPieces pieces = track_pieces(form);
+  world::Document d = test::ring_document(8, 21.3);
+  d.kind = GetParam();
   const DerivedTrack derived = test::derived_of(d);
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
@@ -112,9 +120,8 @@ TEST(track_mesh, consists_of_pieces_between_rings) {
       add_triangles(
           mesh, indices,
           [&](const MeshVertex& v) {
-            EXPECT_EQ(v.position.x, 0);
             const Ring& at = v.along > 0.5f ? to : from;
-            return at.place(-double(v.position.z), double(v.position.y));
+            return at.place(-double(v.position.z), double(v.position.y)) + double(v.position.x) * at.frame.forward;
           },
           out);
     };
@@ -127,7 +134,7 @@ TEST(track_mesh, consists_of_pieces_between_rings) {
     sweep(pieces.caps, pieces.caps.indices, rings.back(), rings.back(), found);
     for (const Ring& at : tie_rings(shape, {})) {
       Ring from = at, to = at;
-      from.position -= kHalfTie * at.frame.forward, to.position += kHalfTie * at.frame.forward;
+      from.position -= form.half_tie * at.frame.forward, to.position += form.half_tie * at.frame.forward;
       sweep(pieces.tie, pieces.tie.indices, from, to, found);
     }
     ASSERT_EQ(found.size(), wanted.size());
@@ -136,6 +143,30 @@ TEST(track_mesh, consists_of_pieces_between_rings) {
     for (const auto& corners : found) off += !std::binary_search(wanted.begin(), wanted.end(), corners);
     EXPECT_LT(off, int(found.size() / 10));
   }
+}
+INSTANTIATE_TEST_SUITE_P(all, TrackMeshOfKind, testing::ValuesIn(test::kinds()), test::kind_name);
+
+// Whatever a kind has for rails: the wheels of all trains roll a gauge apart, kRailRadius above the rails' plane.
+TEST_P(TrackMeshOfKind, has_its_running_surfaces_where_the_wheels_roll) {
+  world::Document d = test::straight_document({1.7f, 14.3f, 2.1f}, {9.7f, 14.3f, 8.1f});
+  d.kind = GetParam();
+  const DerivedTrack derived = test::derived_of(d);
+  const Mesh mesh = swept(derived.shape(derived.order[0]));
+  EXPECT_TRUE(finite(mesh));
+  EXPECT_EQ(inside_out(mesh, mesh.indices), 0);
+  EXPECT_EQ(wrong_normals(mesh), 0);
+  double top = -9, inner = 9, outer = 0, reach = 0;
+  for (const MeshVertex& v : mesh.vertices) {
+    const glm::dvec3 p = glm::dvec3(v.position) - glm::dvec3(1.7, 14.3, 2.1);
+    const double left = 0.6 * p.x - 0.8 * p.z;
+    reach = std::max(reach, std::hypot(left, p.y));
+    if (v.part != static_cast<float>(Material::rail)) continue;
+    top = std::max(top, p.y), inner = std::min(inner, std::abs(left)), outer = std::max(outer, std::abs(left));
+  }
+  EXPECT_NEAR(top, kRailRadius, 0.01);
+  EXPECT_LT(inner, 0.5 * kGauge - 0.08);
+  EXPECT_GT(outer, 0.5 * kGauge + 0.08);
+  EXPECT_LE(reach, form_of(GetParam()).reach) << "the drawing code takes this for the track's radius";
 }
 
 TEST(track_mesh, rails_run_a_gauge_apart_on_the_rails_plane) {

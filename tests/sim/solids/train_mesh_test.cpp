@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/kinds.h"
 #include "sim/solids.h"
 #include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"
@@ -29,31 +30,41 @@ auto of(Material part) {
   return [part](const MeshVertex& v) { return v.part == static_cast<float>(part); };
 }
 
-TEST(train_mesh, cars_are_closed_and_face_outwards) {
-  for (const Mesh& mesh : {car_mesh(true), car_mesh(false), coupling_mesh(), distant_car_mesh()}) {
+class TrainMeshOfKind : public testing::TestWithParam<world::CoasterKind> {};
+INSTANTIATE_TEST_SUITE_P(all, TrainMeshOfKind, testing::ValuesIn(test::kinds()), test::kind_name);
+
+TEST_P(TrainMeshOfKind, cars_are_closed_and_face_outwards) {
+  const world::CoasterKind kind = GetParam();
+  for (const Mesh& mesh : {car_mesh(kind, true), car_mesh(kind, false), coupling_mesh(), distant_car_mesh(kind)}) {
     EXPECT_TRUE(test::finite(mesh));
     EXPECT_EQ(test::wrong_normals(mesh), 0);
     EXPECT_EQ(test::open_edges(mesh), 0);
     EXPECT_EQ(test::inside_out(mesh, mesh.indices), 0);
   }
   for (const bool leading : {true, false})
-    for (const Material part : {Material::wheel, Material::seat, Material::skin})
-      EXPECT_GT(volume(car_mesh(leading), part), 0);
+    for (const Material part : {Material::wheel, Material::seat, Material::skin, Material::body})
+      if (kind != world::CoasterKind::inverted || part != Material::seat)
+        EXPECT_GT(volume(car_mesh(kind, leading), part), 0);
 }
 
-TEST(train_mesh, a_car_is_as_long_as_what_collides_and_narrower_than_what_stands_beside_it) {
+TEST_P(TrainMeshOfKind, a_car_is_as_long_as_what_collides_and_narrower_than_what_stands_beside_it) {
+  const CoasterForm& form = form_of(GetParam());
   for (const bool leading : {true, false}) {
-    const Bounds all = bounds_of(car_mesh(leading), [](const MeshVertex&) { return true; });
+    const Mesh mesh = car_mesh(GetParam(), leading);
+    const Bounds all = bounds_of(mesh, [](const MeshVertex&) { return true; });
     EXPECT_NEAR(all.high.x, 1.1, 1e-5);
     EXPECT_NEAR(all.low.x, -1.1, 1e-5);
     EXPECT_NEAR(all.low.z, -all.high.z, 1e-5);
     EXPECT_LT(all.high.z, 1.0);  // platforms begin there
-    EXPECT_LT(all.high.y, 1.5);
+    for (const MeshVertex& v : mesh.vertices)
+      ASSERT_LT(std::hypot(v.position.z, v.position.y - static_cast<float>(form.train.lift)), form.train.radius)
+          << "conflicts count this as the train";
   }
 }
 
-TEST(train_mesh, wheels_touch_the_rails_from_above_beside_and_below) {
-  const Mesh mesh = car_mesh(false);
+TEST_P(TrainMeshOfKind, wheels_touch_the_rails_from_above_beside_and_below) {
+  const CoasterForm& form = form_of(GetParam());
+  const Mesh mesh = car_mesh(GetParam(), false);
   std::set<char> touched;
   for (const MeshVertex& v : mesh.vertices) {
     if (v.part != static_cast<float>(Material::wheel)) continue;
@@ -62,24 +73,44 @@ TEST(train_mesh, wheels_touch_the_rails_from_above_beside_and_below) {
     if (std::abs(over - kRailRadius) < 5e-3) touched.insert('a');
     if (std::abs(beside - kRailRadius) < 5e-3) touched.insert('b');
     if (std::abs(over + kRailRadius) < 5e-3) touched.insert('c');
-    const bool with_the_riders = std::hypot(v.position.z, v.position.y - kRiderLift) < kRiderRadius;
-    EXPECT_TRUE(with_the_riders || std::hypot(beside, over) < kWheelRoom) << "supports keep out of both";
+    const bool with_the_riders =
+        std::hypot(double{v.position.z}, double{v.position.y} - form.riders.lift) < form.riders.radius;
+    EXPECT_TRUE(with_the_riders || std::hypot(beside, over) < form.wheels) << "supports keep out of both";
   }
   EXPECT_EQ(touched.size(), 3u);
 }
 
+// The ride camera is over the middle of the first car, at the height of the riders' eyes, and looks forward.
+TEST_P(TrainMeshOfKind, nothing_of_the_first_car_stands_before_the_riders_eyes) {
+  const float eye = static_cast<float>(form_of(GetParam()).eye);
+  for (const MeshVertex& v : car_mesh(GetParam(), true).vertices) {
+    if (v.position.x <= 0.05f || std::abs(v.position.z) > 0.5f) continue;
+    const float rise = (v.position.y - eye) / v.position.x;
+    ASSERT_TRUE(rise < 0.12f || rise > 0.6f) << v.position.x << " " << v.position.y << " " << v.position.z;
+  }
+}
+
+TEST_P(TrainMeshOfKind, riders_hearts_are_at_the_kinds_heartline) {
+  const Mesh mesh = car_mesh(GetParam(), false);
+  const Bounds hair = bounds_of(mesh, of(Material::hair));
+  const double heart = base::row_of(GetParam()).heartline;
+  EXPECT_GT(hair.high.y, heart + 0.2);
+  EXPECT_LT(hair.high.y, heart + 0.75);
+}
+
 TEST(train_mesh, the_leading_car_alone_has_a_nose) {
   const auto high_in_front = [](const MeshVertex& v) { return of(Material::body)(v) && v.position.x > 0.5f; };
-  const Bounds nose = bounds_of(car_mesh(true), high_in_front), plain = bounds_of(car_mesh(false), high_in_front);
+  const Bounds nose = bounds_of(car_mesh({}, true), high_in_front),
+               plain = bounds_of(car_mesh({}, false), high_in_front);
   EXPECT_GT(nose.high.y, plain.high.y + 0.02f);
   // It is round: its tip is much narrower than it.
   const auto tip = [](const MeshVertex& v) { return of(Material::body)(v) && v.position.x > 1.09f; };
-  EXPECT_LT(bounds_of(car_mesh(true), tip).high.z, 0.4f * nose.high.z);
-  EXPECT_GT(bounds_of(car_mesh(false), tip).high.z, 0.6f * plain.high.z);
+  EXPECT_LT(bounds_of(car_mesh({}, true), tip).high.z, 0.4f * nose.high.z);
+  EXPECT_GT(bounds_of(car_mesh({}, false), tip).high.z, 0.6f * plain.high.z);
 }
 
 TEST(train_mesh, riders_sit_in_two_rows_of_two_and_out_of_the_ride_cameras_sight) {
-  const Mesh mesh = car_mesh(true);
+  const Mesh mesh = car_mesh({}, true);
   std::set<std::pair<int, int>> heads;
   const Bounds skin = bounds_of(mesh, of(Material::hair));
   EXPECT_GT(skin.high.y, 1.2f);

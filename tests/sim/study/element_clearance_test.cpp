@@ -5,11 +5,16 @@
 #include <gtest/gtest.h>
 
 #include "sim/plan/element_plan_cache.h"
+#include "sim/solids/coaster_form.h"
 #include "sim/tracks.h"
 #include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_clearance_test {
+
+const CoasterForm& kSteel = form_of(world::CoasterKind::steel);
+const double kTrainRadius = kSteel.train.radius, kTrainLift = kSteel.train.lift, kTrackRadius = kSteel.track.radius,
+             kTrackDrop = -kSteel.track.lift;
 
 // Along x through (30, 5, 0), round, and over it by `over` metres: the open end is 40 m before the crossing.
 world::Document before_a_crossing(float over, world::TrackCurve curve = world::TrackCurve::rails) {
@@ -39,7 +44,7 @@ std::vector<LineConflict> narrow(float over, double length, world::TrackCurve cu
 }
 
 TEST(element_room, a_straight_over_track_needs_room_for_heads) {
-  constexpr double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
+  const double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
   for (const double over : {1.5, 2.5, kEnough - 0.05}) {
     const std::vector<LineConflict> found = narrow(static_cast<float>(over), 60);
     ASSERT_EQ(found.size(), 1u) << over;

@@ -183,7 +183,7 @@ TEST(wheel_loads, the_simulated_ride_and_the_moving_train_agree) {
 TEST(wheel_loads, the_bogies_are_where_the_car_has_them) {
   float front = 0;
   int wheels = 0;
-  for (const MeshVertex& v : car_mesh(false).vertices) {
+  for (const MeshVertex& v : car_mesh({}, false).vertices) {
     if (v.part != static_cast<float>(Material::wheel) || v.position.x < 0) continue;
     front += v.position.x, ++wheels;
   }

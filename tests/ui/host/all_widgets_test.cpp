@@ -107,7 +107,7 @@ class AllWidgetsTest : public AllPartsStage {
 
 TEST_F(AllWidgetsTest, kinds_and_states_are_those_that_scripts_know) {
   const std::set<std::string> kinds{"button", "radio", "checkbox", "slider", "number", "text", "cell", "combo",
-                                    "header", "menu",  "item",     "label",  "plot",   "knob", "edge"};
+                                    "header", "menu",  "item",     "label",  "plot",   "knob", "edge", "colour"};
   std::set<std::string> seen;
   visit([&](const std::string& where) {
     for (const Widget& w : host_->widgets()) {
