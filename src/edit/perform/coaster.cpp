@@ -1,4 +1,6 @@
 // Commands of the coaster's kind and paint.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "edit/commands/commands_coaster.h"
@@ -35,6 +37,12 @@ Status perform(Session& session, Change& change, const SetKind& command) {
     if (is.heartline < 0) change.note = fmt::format("Riders hang {:.1f} m below the rails.", -is.heartline);
   }
   if (document.resistance == was.losses) document.resistance = is.losses;
+  constexpr float kFeet = 2.6f;  // m below the rails
+  const auto& knots = document.entities.pool<world::Knot>().items();
+  const auto low = std::ranges::count_if(knots, [](const world::Knot& knot) { return knot.position.y < kFeet; });
+  if (is.heartline < 0 && low > 0)
+    change.clamped.push_back(fmt::format("Riders' feet hang {} m below the rails: {} {} lower than that.", kFeet, low,
+                                         low == 1 ? "knot is" : "knots are"));
   return {};
 }
 

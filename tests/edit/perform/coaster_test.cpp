@@ -1,4 +1,6 @@
 // Kind and paint of the coaster.
+#include <algorithm>
+
 #include "edit/commands/commands_coaster.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/share_link.h"
@@ -44,6 +46,19 @@ TEST_F(Coaster, a_kind_has_its_own_room_and_force_limits) {
   EXPECT_LT(train().lift, 0) << "the train hangs below the rails";
   good("kind kiddie");
   EXPECT_NEAR(force_limits(session).curves[0].front().g, 0.6 * steel, 1e-12);
+}
+
+TEST_F(Coaster, an_inverted_track_near_the_ground_is_warned_of_and_a_new_one_begins_high_enough) {
+  good("element straight length 20");
+  EXPECT_EQ(world::knot(document(), document().track.knots[0]).position.y, 2);
+  good("kind inverted");
+  EXPECT_TRUE(std::ranges::any_of(session.notices.list, [](const Notice& notice) {
+    return notice.kind == NoticeKind::warning && notice.text.find("2 knots are lower") != std::string::npos;
+  }));
+  start_on(world::Document{});
+  good("kind inverted");
+  good("element straight length 20");
+  EXPECT_NEAR(world::knot(document(), document().track.knots[0]).position.y, 4.6, 1e-6);
 }
 
 TEST_F(Coaster, paint_is_a_palette_or_single_colours) {
