@@ -13,7 +13,7 @@ namespace coaster::gfx {
 class SectionPaint {
  public:
   explicit SectionPaint(const Gl& gl) : gl_(&gl) {}
-  // Writes everything again if it changed. Linear in the segments, but only where a section has paint of its own.
+  // Writes the whole texture if a colour changed. Looks at every segment if any section is painted, else at none.
   void sync(const sim::DerivedTrack& derived, const world::Document* document);
   bool any() const { return any_; }
   // Binds the texture to a unit; an empty one if no section ever had its own paint.

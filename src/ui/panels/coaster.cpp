@@ -15,7 +15,7 @@ namespace {
 
 using world::PaintPart;
 
-// The usual colour of a part, of the materials where the kind has no paint of its own.
+// Returns the usual colour of a part: that of the kind, or else of the material.
 std::int32_t usual(const world::Paint& kind, PaintPart part) {
   if (kind.of(part).own()) return kind.of(part).rgb;
   const auto* const row = std::ranges::find(sim::kMaterials, std::optional(part), &sim::MaterialRow::painted);
@@ -26,8 +26,8 @@ std::int32_t usual(const world::Paint& kind, PaintPart part) {
 
 // What a change of paint does.
 struct Painting {
-  const world::Paint& paint;  // with the colours of its own
-  world::Paint below;         // shows where it has none
+  const world::Paint& paint;  // what is changed; may lack colours
+  world::Paint below;         // shows where colours are lacking
   std::string_view tooltip;
   std::function<edit::Command(world::Palette)> all;
   std::function<edit::Command(PaintPart, world::Colour)> part;
