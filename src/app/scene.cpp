@@ -5,6 +5,8 @@
 
 #include "base/console.h"
 #include "gfx/per_frame_instances.h"
+#include "sim/ground/ground.h"
+#include "sim/ground/plants.h"
 #include "sim/ride/ride.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
@@ -82,6 +84,10 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   scene.clock = [&] { return program.surface->clock(); };
   scene.supports = seen.supports;
   scene.document = &session.document;
+  const edit::SessionFindings find(program.session);
+  scene.ground = &find.ground();
+  scene.scenery = session.settings.look->scenery;
+  if (!scene.ground->plain() && scene.scenery != world::Scenery::plain) scene.plants = &find.plants();
   program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;

@@ -18,8 +18,10 @@
 #include "view/overlay.h"
 
 namespace coaster::sim {
+class Ground;
+class Plants;
 class Supports;
-}
+}  // namespace coaster::sim
 
 namespace coaster::gfx {
 
@@ -38,7 +40,10 @@ struct Scene {
   bool shadows = true;
   bool unseen = false;                        // true: do everything except drawing pixels
   const world::Document* document = nullptr;  // whose paint shows; null: the usual paint of the track's kind
-  float detail = 1;                           // factor of the distances from which on the track is coarse
+  const sim::Ground* ground = nullptr;        // null: the plane y = 0
+  const sim::Plants* plants = nullptr;        // null: none are drawn
+  world::Scenery scenery{};
+  float detail = 1;  // factor of the distances from which on the track is coarse
 };
 
 // Returns where ties, equipment and supports are near enough to be seen, for scenes of the usual detail.

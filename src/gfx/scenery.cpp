@@ -60,6 +60,29 @@ constexpr SceneStyle kDusk{.sun = {-0.800f, 0.215f, -0.560f},
                            .grid_strength = 0.7f,
                            .shade = 0.92f};
 
+constexpr SceneStyle kNight{.sun = {0.55f, 0.62f, -0.45f},
+                            .sun_light = {0.10f, 0.135f, 0.21f},
+                            .sky_light = {0.040f, 0.055f, 0.100f},
+                            .ground_light = {0.020f, 0.022f, 0.030f},
+                            .penumbra = 0.006f,
+                            .lamps = 0.8f,
+                            .horizon = rgb(0x1d2742),
+                            .haze = rgb(0x27304f),
+                            .haze_width = 3,
+                            .middle = rgb(0x131b35),
+                            .zenith = rgb(0x060a1c),
+                            .clouds = 0.22f,
+                            .glow = {0.05f, 0.06f, 0.09f},
+                            .disc = 0.9f,
+                            .fog_metres = 900,
+                            .hills = rgb(0x0c1226),
+                            .hills_height = 0.060f,
+                            .ground = rgb(0x2a3340),
+                            .uneven = 0.10f,
+                            .grid = rgb(0x3a4350),
+                            .grid_strength = 0.5f,
+                            .shade = 0.9f};
+
 constexpr SceneStyle kBlueprint{.drawing = true,
                                 .sun = {0.4216f, 0.7792f, 0.4638f},
                                 .penumbra = 0.004f,
@@ -75,7 +98,7 @@ constexpr SceneStyle kBlueprint{.drawing = true,
                                 .shade = 0.55f,
                                 .ink = rgb(0x9fc6ea)};
 
-constexpr std::array<const SceneStyle*, base::count_of<world::Style>()> kStyles{&kDay, &kDusk, &kBlueprint};
+constexpr std::array<const SceneStyle*, base::count_of<world::Style>()> kStyles{&kDay, &kDusk, &kNight, &kBlueprint};
 
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 glm::vec3 linear(glm::vec3 c) { return {linear(c.x), linear(c.y), linear(c.z)}; }

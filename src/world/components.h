@@ -126,6 +126,15 @@ struct ClosingPlan {
 
 // A run of consecutive segments that the builder treats as one part of the ride. Unless it is free, its knots are as
 // planned, or moved as a whole.
+// What is done to the land where a section runs below it.
+enum class Earthwork : std::uint8_t { automatic, cut, tunnel, none };
+inline constexpr base::NameRow kEarthworks[] = {
+    {"automatic", "Automatic", "A tunnel under much earth, else an open cut."},
+    {"cut", "Open cut", "The land is cut open, however deep."},
+    {"tunnel", "Tunnel", "A tunnel wherever earth covers the train."},
+    {"none", "None", "The land stays as it is."}};
+constexpr std::span<const base::NameRow> rows_of(Earthwork) { return kEarthworks; }
+
 struct Section {
   std::string title;  // UTF-8, at most kMaxNameBytes; empty: the kind is shown
   SectionKind kind = SectionKind::free;
@@ -133,10 +142,12 @@ struct Section {
   ClosingPlan closing = {};  // if it completes a circuit; else the default
   ForceProgram force = {};   // if it is a force section; else the default
   Paint paint = {};          // where it differs from the track's
+  Earthwork earthwork = Earthwork::automatic;
   // Not the plan: files and hashes use the names of kind and parameters.
   static constexpr void fields(auto visit) {
     visit(Field{"title"}, &Section::title);
     visit(Field{"", 0, 0, FilePresence::unusual, 1}, &Section::paint);
+    visit(Field{"earthwork", 0, 0, FilePresence::unusual, 2}, &Section::earthwork);
   }
   std::size_t list_bytes() const { return force.list_bytes(); }
   friend bool operator==(const Section&, const Section&) = default;

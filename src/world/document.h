@@ -10,6 +10,7 @@
 #include "curve/cubic.h"
 #include "world/coaster_kind.h"
 #include "world/components.h"
+#include "world/park.h"
 
 namespace coaster::world {
 
@@ -40,6 +41,7 @@ struct Document {
   TrackCurve curve = TrackCurve::rails;
   CoasterKind kind = CoasterKind::steel;
   Paint paint;           // of the track and its trains; its sections may have their own
+  Park park;             // the land around it
   UnknownMembers extra;  // unknown top-level members of the file
   std::array<std::uint32_t, base::count_of<EntityKind>()> last_number{};  // by EntityKind: the last number assigned
   // The fields that determine how the track is ridden.

@@ -58,6 +58,20 @@ bool undivided(const Document& document, const std::vector<SectionRun>& runs) {
   return runs.size() == 1 && (!section || *section == Section{}) && !document.entities.find<UnknownMembers>(e);
 }
 
+// A document without a park has the hash of versions before parks.
+void add_park(base::Hasher& hasher, const Park& park) {
+  if (park == Park()) return;
+  hasher.add(std::string_view(base::row_of(park.land).in_file));
+  hasher.add(park.seed);
+  for (const double value : {park.relief, park.woods, park.water}) hasher.add(value);
+  hasher.add(park.tiles.map().size());
+  for (const auto& [place, tile] : park.tiles.map()) {
+    hasher.add(place.x), hasher.add(place.z);
+    for (const std::int16_t height : tile->heights) hasher.add(height);
+    hasher.bytes(tile->woods.data(), tile->woods.size());
+  }
+}
+
 void add_force(base::Hasher& hasher, const Document& document, const ForceProgram& force) {
   add_component(hasher, document, force);
   for (const std::vector<ForceKey>& keys : force.channels) {
@@ -93,6 +107,7 @@ std::uint64_t hash(const Document& document) {
   base::Hasher hasher;
   hasher.add(std::string_view(document.name));
   add_component(hasher, document, document);
+  add_park(hasher, document.park);
   hasher.add(document.track.closed);
   hasher.add(std::string_view(document.extra.json));
   hasher.add(document.track.knots.size());

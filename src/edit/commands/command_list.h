@@ -16,6 +16,7 @@
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_park.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_seek.h"
@@ -34,10 +35,10 @@ template <class... Groups>
 auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
-using Commands =
-    decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + CoasterCommands() + ElementCommands() +
-             SectionCommands() + ForceCommands() + SeekCommands() + SettingsCommands() + LabCommands() +
-             RideCommands() + SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
+using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + CoasterCommands() +
+                          ParkCommands() + ElementCommands() + SectionCommands() + ForceCommands() + SeekCommands() +
+                          SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
+                          ChallengeCommands() + set_commands(world::SettingGroups()));
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
 

@@ -134,6 +134,17 @@ const sim::Supports& SessionFindings::supports() const {
 }
 void SessionFindings::look_from(const sim::EyeSurroundings& around) const { memory().near.look_from(around); }
 
+const sim::Ground& SessionFindings::ground() const {
+  const sim::CoasterForm& form = sim::form_of(session_->document.kind);
+  memory().ground.update(session_->document, session_->derived, sim::track_room(form));
+  return memory().ground;
+}
+
+const sim::Plants& SessionFindings::plants() const {
+  memory().plants.update(ground());
+  return memory().plants;
+}
+
 double SessionFindings::chord_error() const {
   return memory().chord_error.get({session_->derived.last_build, session_->derived.steps},
                                   [&] { return sim::chord_error(session_->derived); });

@@ -16,6 +16,8 @@ struct Element;
 
 namespace coaster::sim {
 class ForcePlanCache;
+class Ground;
+class Plants;
 class RideCache;
 class RailTables;
 class Riders;
@@ -78,6 +80,8 @@ class SessionFindings {
   std::span<const sim::FrenetBreak> breaks() const;          // of the Frenet frame
   const sim::Supports& supports() const;                     // near the eye on very long tracks
   void look_from(const sim::EyeSurroundings& around) const;  // says where the eye is
+  const sim::Ground& ground() const;                         // as it is cut to the track
+  const sim::Plants& plants() const;                         // on that ground
   double chord_error() const;                                // m, largest distance of a piece from its chord
   double deviation() const;                                  // m, from the challenge's start track; 0 without one
 

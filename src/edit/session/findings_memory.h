@@ -9,6 +9,8 @@
 
 #include "base/cached_value.h"
 #include "edit/session/session.h"
+#include "sim/ground/ground.h"
+#include "sim/ground/plants.h"
 #include "sim/plan/element_plan_cache.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/simulated_ride.h"
@@ -50,6 +52,8 @@ struct FindingsCache {
   sim::ForcePlanCache forces;
   sim::FrenetBreaks breaks;
   sim::TrackValueCache values;
+  sim::Ground ground;
+  sim::Plants plants;
   sim::NearSegments near;          // to the eye
   sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
   base::CachedValue<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces

@@ -1,6 +1,7 @@
 // The table of kinds. Steel has the numbers that the program had before there were others.
 #include "sim/solids/coaster_form.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/check.h"
@@ -137,6 +138,16 @@ const CoasterForm& form_of(world::CoasterKind kind) {
   static_assert(std::size(kForms) == base::count_of<world::CoasterKind>(), "each kind has its form");
   COASTER_CHECK(base::has_row(kind), "kinds are rows of the table");
   return kForms[static_cast<std::size_t>(kind)];
+}
+
+TrackRoom track_room(const CoasterForm& form) {
+  constexpr double kFloor = 0.4, kWall = 0.9;  // m between what trains need and earth
+  const ClearanceTube& tube = form.envelope;
+  return {.below = std::max(2.0, tube.radius - tube.lift + kFloor),
+          .above = tube.radius + std::max(tube.lift, 0.0),
+          .beside = tube.radius,
+          .tube = tube.radius + kWall,
+          .lift = tube.lift};
 }
 
 }  // namespace coaster::sim

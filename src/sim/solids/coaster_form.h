@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "sim/ground/earthworks.h"
 #include "sim/solids/mesh.h"
 #include "world/coaster_kind.h"
 
@@ -64,5 +65,8 @@ struct CoasterForm {
   double reach;                   // radius about the middle of the rails that contains the track
 };
 const CoasterForm& form_of(world::CoasterKind kind);
+
+// Returns the room that earth leaves to trains and track of a form.
+TrackRoom track_room(const CoasterForm& form);
 
 }  // namespace coaster::sim

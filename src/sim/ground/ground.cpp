@@ -1,0 +1,309 @@
+#include "sim/ground/ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "sim/ground/noise.h"
+#include "world/sections.h"
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kReach = 44;  // m, level distance from track up to which it may change the ground
+constexpr double kTile = world::kGroundTileCells * world::kGroundCell;  // m
+constexpr double kBend = 1.5;                                           // m, how much the edge of a cut is rounded
+
+// Height of the bottom and the sides of a cut, over its bottom, by the level distance from the track. The sides become
+// steeper, so that they come out of any hill within kReach.
+double side_of_cut(double distance, double half_width) {
+  const double out = std::fmax(distance - half_width, 0.0);
+  return 0.75 * out + 0.02 * out * out;
+}
+
+// The smaller of two heights, rounded where they are nearly equal.
+double smooth_min(double a, double b) {
+  const double t = std::fmin(std::fmax(0.5 + 0.5 * (a - b) / kBend, 0.0), 1.0);
+  return mixed(a, b, t) - kBend * t * (1 - t);
+}
+
+bool same(const TrackSample& a, const TrackSample& b) {
+  return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel;
+}
+
+int tile_of(double x) { return static_cast<int>(std::floor(x / kTile)); }
+
+}  // namespace
+
+bool Ground::in_square(double x, double z) const {
+  const double half = 0.5 * across_ * kTile;
+  return x >= -half && x < half && z >= -half && z < half;
+}
+
+const GroundPatch* Ground::patch_at(world::TilePlace place) const {
+  const int half = across_ / 2, x = place.x + half, z = place.z + half;
+  if (x < 0 || z < 0 || x >= across_ || z >= across_) return nullptr;
+  return &patches_[static_cast<std::size_t>(z * across_ + x)];
+}
+
+void Ground::take_square(const DerivedTrack& derived) {
+  const double near = 0.5 * kUsualTiles * kTile - kReach;
+  bool wide = false;
+  for (const world::Entity segment : derived.order) {
+    const curve::Cubic& c = derived.shape(segment).key.cubic;
+    for (const glm::vec3 p : {c.p0, c.p3}) wide = wide || std::fabs(p.x) > near || std::fabs(p.z) > near;
+  }
+  for (const auto& [place, tile] : land_.park().tiles.map())
+    wide = wide || place.x < -kUsualTiles / 2 || place.x >= kUsualTiles / 2 || place.z < -kUsualTiles / 2 ||
+           place.z >= kUsualTiles / 2;
+  const int across = wide ? world::kGroundTilesAcross : kUsualTiles;
+  if (across == across_) return;
+  // Patches that lie in both squares are kept.
+  std::vector<GroundPatch> patches(static_cast<std::size_t>(across * across));
+  std::vector<std::uint8_t> stale(patches.size(), 2);
+  for (int z = 0; z < across; ++z) {
+    for (int x = 0; x < across; ++x) {
+      const auto i = static_cast<std::size_t>(z * across + x);
+      const world::TilePlace place{static_cast<std::int16_t>(x - across / 2),
+                                   static_cast<std::int16_t>(z - across / 2)};
+      if (const GroundPatch* const held = patch_at(place)) {
+        patches[i] = *held;
+        stale[i] = stale_[static_cast<std::size_t>(held - patches_.data())];
+      }
+      patches[i].place = place;
+    }
+  }
+  patches_ = std::move(patches), stale_ = std::move(stale), across_ = across;
+}
+
+void Ground::mark_near(const TrackSample& sample) {
+  const int half = across_ / 2;
+  for (int z = tile_of(sample.at.z - kReach); z <= tile_of(sample.at.z + kReach); ++z)
+    for (int x = tile_of(sample.at.x - kReach); x <= tile_of(sample.at.x + kReach); ++x)
+      if (x >= -half && x < half && z >= -half && z < half) {
+        std::uint8_t& stale = stale_[static_cast<std::size_t>((z + half) * across_ + x + half)];
+        stale = std::max<std::uint8_t>(stale, 1);
+      }
+}
+
+// Updates the samples and the tunnels, and marks the patches near those that differ. Returns true if any does.
+bool Ground::take_samples(const world::Document& document, const DerivedTrack& derived, bool all) {
+  world::Pool<SegmentSamples> former = std::exchange(segments_, {});
+  samples_.clear();
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const world::Entity segment = derived.order[i];
+    const SegmentShape& shape = derived.shape(segment);
+    const SegmentSamples* const held = former.find(segment);
+    const world::Entity section = world::segment(document, segment).section;
+    SegmentSamples found;
+    found.shape_build = shape.shape_build;
+    found.wish = section.valid() ? world::section(document, section).earthwork : world::Earthwork::automatic;
+    found.station = shape.fitted == world::EquipmentKind::station;
+    const bool usable = held && !all && held->shape_build == found.shape_build && held->station == found.station;
+    found.samples = usable ? held->samples : samples_of(shape, land_);
+    for (TrackSample& sample : found.samples) {
+      sample.segment = i, sample.wish = found.wish;
+      samples_.push_back(sample);
+      samples_.back().distance += derived.starts[i];
+    }
+    segments_.put(segment, std::move(found));
+  }
+  tunnels_ = find_tunnels(samples_, room_, derived.closed);
+  bool changed = false;
+  const TrackSample* next = samples_.data();
+  for (const world::Entity segment : derived.order) {
+    SegmentSamples& now = segments_.get(segment);
+    for (TrackSample& sample : now.samples) sample.tunnel = (next++)->tunnel;
+    const SegmentSamples* const held = former.find(segment);
+    if (held && std::ranges::equal(held->samples, now.samples, same)) continue;
+    changed = true;
+    for (const TrackSample& sample : now.samples) mark_near(sample);
+    if (held)
+      for (const TrackSample& sample : held->samples) mark_near(sample);
+  }
+  for (const world::Entity segment : former.entities()) {
+    if (segments_.contains(segment)) continue;
+    changed = true;
+    for (const TrackSample& sample : former.get(segment).samples) mark_near(sample);
+  }
+  return changed;
+}
+
+void Ground::find_gates() {
+  gates_.clear();
+  for (const Tunnel& tunnel : tunnels_) {
+    const TrackSample &first = samples_[tunnel.first], &last = samples_[tunnel.last];
+    const auto gate = [&](const TrackSample& sample, double sign) {
+      glm::dvec2 inwards = sign * glm::dvec2(sample.forward.x, sample.forward.z);
+      const double length = glm::length(inwards);
+      inwards = length > 1e-3 ? inwards / length : glm::dvec2(1, 0);
+      gates_.push_back({sample.at - 1.2 * glm::dvec3(inwards.x, 0, inwards.y), inwards});
+    };
+    gate(first, 1), gate(last, -1);
+  }
+}
+
+void Ground::update(const world::Document& document, const DerivedTrack& derived, const TrackRoom& room) {
+  rebuilds_ = 0;
+  if (document.park.plain()) {
+    if (!plain()) *this = Ground();
+    return;
+  }
+  const bool new_park = document.park != land_.park(), new_room = room != room_;
+  bool new_wish = false;
+  for (std::size_t i = 0; i < derived.order.size() && !new_wish; ++i) {
+    const world::Entity section = world::segment(document, derived.order[i]).section;
+    const SegmentSamples* const held = segments_.find(derived.order[i]);
+    new_wish = held && section.valid() && world::section(document, section).earthwork != held->wish;
+  }
+  if (!new_park && !new_room && !new_wish && last_build_ == derived.last_build && order_ == derived.order) return;
+  if (new_park) {
+    const world::Park& former = land_.park();
+    world::Park without = document.park, former_without = former;
+    without.tiles = former_without.tiles = {};
+    const bool strokes_only = without == former_without;
+    if (!strokes_only) std::ranges::fill(stale_, std::uint8_t{2});
+    // A vertex at a tile's lower sides belongs to the patches there, too.
+    const auto mark = [&](world::TilePlace place) {
+      for (int z = place.z - 1; z <= place.z; ++z)
+        for (int x = place.x - 1; x <= place.x; ++x)
+          if (const GroundPatch* const patch = patch_at({static_cast<std::int16_t>(x), static_cast<std::int16_t>(z)}))
+            stale_[static_cast<std::size_t>(patch - patches_.data())] = 2;
+    };
+    if (strokes_only) {
+      const auto &old = former.tiles.map(), &now = document.park.tiles.map();
+      for (const auto& [place, tile] : now)
+        if (const auto held = old.find(place); held == old.end() || held->second != tile) mark(place);
+      for (const auto& [place, tile] : old)
+        if (!now.contains(place)) mark(place);
+    }
+    land_ = Land(document.park);
+  }
+  if (new_room) {
+    room_ = room;
+    for (std::uint8_t& stale : stale_) stale = std::max<std::uint8_t>(stale, 1);
+  }
+  take_square(derived);
+  take_samples(document, derived, new_park || new_room);
+  last_build_ = derived.last_build, order_ = derived.order;
+  find_gates();
+  build_patches();
+  ++build_;
+}
+
+void Ground::build_patches() {
+  std::vector<std::size_t> stale;
+  for (std::size_t i = 0; i < stale_.size(); ++i)
+    if (stale_[i] != 0) stale.push_back(i);
+  if (stale.empty()) return;
+  std::vector<std::vector<std::size_t>> near(patches_.size());
+  const int half = across_ / 2;
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const glm::dvec3 at = samples_[s].at;
+    for (int z = std::max(tile_of(at.z - kReach), -half); z <= std::min(tile_of(at.z + kReach), half - 1); ++z)
+      for (int x = std::max(tile_of(at.x - kReach), -half); x <= std::min(tile_of(at.x + kReach), half - 1); ++x)
+        if (const auto i = static_cast<std::size_t>((z + half) * across_ + x + half); stale_[i] != 0)
+          near[i].push_back(s);
+  }
+  const std::uint64_t build = build_ + 1;
+  base::in_parts(stale.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      GroundPatch& patch = patches_[stale[k]];
+      const int x0 = patch.place.x * world::kGroundTileCells, z0 = patch.place.z * world::kGroundTileCells;
+      const bool new_land = stale_[stale[k]] == 2;
+      patch.low = std::numeric_limits<float>::max(), patch.high = -patch.low;
+      for (int z = 0; z < GroundPatch::kSide; ++z) {
+        for (int x = 0; x < GroundPatch::kSide; ++x) {
+          const auto v = static_cast<std::size_t>(z * GroundPatch::kSide + x);
+          if (new_land) patch.land[v] = static_cast<float>(land_.vertex({x0 + x, z0 + z}));
+          patch.heights[v] =
+              near[stale[k]].empty() ? patch.land[v] : cut(x0 + x, z0 + z, patch.land[v], near[stale[k]]);
+          patch.low = std::min(patch.low, patch.heights[v]), patch.high = std::max(patch.high, patch.heights[v]);
+        }
+      }
+      patch.build = build;
+    }
+  });
+  for (const std::size_t i : stale) stale_[i] = 0;
+  rebuilds_ = static_cast<int>(stale.size());
+}
+
+// The height of a vertex: lowered beside open track; in a tunnel the hill, lowered behind its gates and at least as
+// high as covers the tube.
+float Ground::cut(int x, int z, float land, std::span<const std::size_t> near) const {
+  const glm::dvec2 at = world::kGroundCell * glm::dvec2(x, z);
+  const double none = std::numeric_limits<double>::max();
+  double open = none, inside = none, cap = none, cover = -none;
+  for (const std::size_t i : near) {
+    const TrackSample& sample = samples_[i];
+    const double dx = sample.at.x - at.x, dz = sample.at.z - at.y, square = dx * dx + dz * dz;
+    if (square > kReach * kReach) continue;
+    const double distance = std::sqrt(square);
+    if (sample.tunnel) {
+      inside = std::fmin(inside, distance);
+      if (distance < room_.tube + 2.5) cover = std::fmax(cover, sample.at.y + room_.lift + room_.tube + 0.9);
+    } else if (sample.wish != world::Earthwork::none) {
+      open = std::fmin(open, distance);
+      const double half_width = room_.beside + (sample.station ? 6.5 : 2.9);
+      cap = std::fmin(cap, sample.at.y - room_.below + side_of_cut(distance, half_width));
+    }
+  }
+  double height = land;
+  if (cap < land + kBend) height = smooth_min(land, cap);
+  if (inside == none) return static_cast<float>(height);
+  double hill = land;
+  for (const TunnelGate& gate : gates_) {
+    const glm::dvec2 from = at - glm::dvec2(gate.at.x, gate.at.z);
+    const double behind = glm::dot(from, gate.inwards);
+    if (behind < -4 || behind > 34) continue;
+    const double aside = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x);
+    if (aside > 40) continue;
+    hill = std::fmin(hill, gate.at.y + room_.lift + room_.tube + 1.8 + 0.85 * std::fmax(0.0, behind - 1) +
+                               0.9 * std::fmax(0.0, aside - room_.tube - 2.6));
+  }
+  hill = std::fmax(hill, cover);
+  const double within = open == none ? 1.0 : smooth_step(0, 5, open - inside);
+  return static_cast<float>(mixed(height, hill, within));
+}
+
+double Ground::height(double x, double z) const {
+  if (plain()) return 0;
+  if (!in_square(x, z)) return land_.height(x, z);
+  const int half = across_ / 2;
+  const int column = std::clamp(tile_of(x) + half, 0, across_ - 1), row = std::clamp(tile_of(z) + half, 0, across_ - 1);
+  const GroundPatch& patch = patches_[static_cast<std::size_t>(row * across_ + column)];
+  const int x0 = patch.place.x * world::kGroundTileCells, z0 = patch.place.z * world::kGroundTileCells;
+  return height_between(x, z, [&](GroundVertex at) {
+    return double{patch.height(std::clamp(at.x - x0, 0, GroundPatch::kSide - 1),
+                               std::clamp(at.z - z0, 0, GroundPatch::kSide - 1))};
+  });
+}
+
+std::optional<double> Ground::meet(glm::dvec3 origin, glm::dvec3 direction, double most) const {
+  const auto over = [&](double t) {
+    const glm::dvec3 p = origin + t * direction;
+    return p.y - height(p.x, p.z);
+  };
+  if (over(0) < 0) return std::nullopt;
+  double before = 0;
+  for (double t = 0; t < most;) {
+    // Steps of half a cell near the eye, longer far away and high above all land.
+    const double margin = over(t);
+    t = std::fmin(t + std::fmax(0.5 * world::kGroundCell * (1 + t / 200), 0.25 * margin), most);
+    if (over(t) >= 0) {
+      before = t;
+      continue;
+    }
+    for (double low = before, high = t;;) {
+      const double middle = 0.5 * (low + high);
+      if (high - low < 1e-4 || middle <= low || middle >= high) return high;
+      (over(middle) >= 0 ? low : high) = middle;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,91 @@
+// The ground: the land as it is cut to the track, in tiles of 64 m that are built again where track or land changed.
+// Supports, cameras, picking and near misses ask it; plans ask the land (sim/ground/land.h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/ground/earthworks.h"
+
+namespace coaster::sim {
+
+// Heights of 32x32 cells, with the vertices on all four sides.
+struct GroundPatch {
+  static constexpr int kSide = world::kGroundTileCells + 1;
+  world::TilePlace place;
+  std::array<float, kSide * kSide> land{}, heights{};  // m, rows along x: before the cut, and after it
+  float low = 0, high = 0;                             // m, of `heights`
+  std::uint64_t build = 0;                             // a new number when heights change
+  float height(int x, int z) const { return heights[static_cast<std::size_t>(z * kSide + x)]; }
+  glm::vec2 corner() const { return float(world::kGroundTileCells * world::kGroundCell) * glm::vec2(place.x, place.z); }
+};
+
+// An end of a tunnel: the middle of the rails there, and the level direction into the tunnel.
+struct TunnelGate {
+  glm::dvec3 at{0};
+  glm::dvec2 inwards{1, 0};  // unit, (x, z)
+};
+
+class Ground {
+ public:
+  static constexpr int kUsualTiles = 12;  // across: 768 m; kGroundTilesAcross where track leaves that square
+
+  // Brings the ground up to date: costs some nanoseconds a segment if nothing changed, below a millisecond for each
+  // tile near changed track or touched by a brush.
+  void update(const world::Document& document, const DerivedTrack& derived, const TrackRoom& room);
+
+  // Without a land the ground is the plane y = 0, and has no patches.
+  bool plain() const { return land_.plain(); }
+  const Land& land() const { return land_; }
+  double water() const { return land_.plain() ? world::kNoWater : land_.park().water; }  // m
+  // Returns the height (m) of the ground at (x, z): on the drawn triangles within the square; beyond it the land's.
+  double height(double x, double z) const;
+  // Returns the height of what one sees from above: ground or water.
+  double surface(double x, double z) const { return std::fmax(height(x, z), water()); }
+  // Returns the distance (m) at which a ray from `origin` along the unit `direction` first meets the ground, at most
+  // `most`; nothing if it does not, or begins below it.
+  std::optional<double> meet(glm::dvec3 origin, glm::dvec3 direction, double most = 5000) const;
+  bool in_square(double x, double z) const;
+
+  int tiles_across() const { return across_; }                       // 0: plain
+  std::span<const GroundPatch> patches() const { return patches_; }  // row by row
+  const TrackRoom& room() const { return room_; }
+  std::span<const TrackSample> samples() const { return samples_; }  // of the track, in its order
+  std::span<const Tunnel> tunnels() const { return tunnels_; }
+  std::span<const TunnelGate> gates() const { return gates_; }  // two of each tunnel, in the tunnels' order
+  std::uint64_t build() const { return build_; }                // a new number when anything of this changes
+  int rebuilds() const { return rebuilds_; }                    // patches built in the last update
+
+ private:
+  struct SegmentSamples {
+    std::uint64_t shape_build = 0;
+    world::Earthwork wish{};
+    bool station = false;
+    std::vector<TrackSample> samples;
+  };
+  void take_square(const DerivedTrack& derived);
+  bool take_samples(const world::Document& document, const DerivedTrack& derived, bool all);
+  void find_gates();
+  void mark_near(const TrackSample& sample);
+  void build_patches();
+  float cut(int x, int z, float land, std::span<const std::size_t> near) const;
+  const GroundPatch* patch_at(world::TilePlace place) const;
+
+  Land land_;
+  TrackRoom room_;
+  int across_ = 0;
+  std::vector<GroundPatch> patches_;
+  std::vector<std::uint8_t> stale_;       // by patch: 1 its cut, 2 its land, too
+  world::Pool<SegmentSamples> segments_;  // by segment entity
+  std::vector<world::Entity> order_;
+  std::vector<TrackSample> samples_;
+  std::vector<Tunnel> tunnels_;
+  std::vector<TunnelGate> gates_;
+  std::uint64_t last_build_ = 0, build_ = 0;
+  int rebuilds_ = 0;
+};
+
+}  // namespace coaster::sim

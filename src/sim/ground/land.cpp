@@ -1,0 +1,149 @@
+// The formulas of the lands. A change of one needs a new version of its name in files (world::LandRow::in_file).
+#include "sim/ground/land.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/ground/noise.h"
+
+namespace coaster::sim {
+namespace {
+
+// Each noise has a seed of its own, added to the park's.
+enum NoiseSeed : std::uint32_t { kRolling = 0, kPonds = 7, kShore = 9, kPlaces = 13, kHills = 50, kTerraces = 77 };
+
+struct Relief {
+  double rolling, width;               // m, height and width of rolling ground
+  double hills, hills_from, hills_to;  // m, their height; distances at which they begin and are full
+  double terrace, bare_from, bare_to;  // m, height of a step; the noise from which on there are steps
+};
+
+constexpr std::array<Relief, base::count_of<world::Land>()> kReliefs{{
+    {0, 1, 0, 0, 1, 0, 0, 1},               // plain
+    {3, 120, 0, 0, 1, 0, 0, 1},             // meadow
+    {11, 120, 60, 90, 330, 7, 0.15, 0.4},   // hills
+    {6, 120, 90, 60, 260, 0, 0, 1},         // valley
+    {11, 120, 60, 80, 300, 12, -0.2, 0.2},  // cliffs
+    {8, 120, 26, 30, 120, 0, 0, 1},         // island
+    {9, 160, 40, 90, 300, 9, -0.1, 0.3},    // desert
+    {11, 120, 80, 90, 330, 0, 0, 1},        // snow
+}};
+
+// A level unit vector by a number of the seed, without functions of libm.
+glm::dvec2 direction_of(std::uint32_t seed, std::int32_t which) {
+  const double x = 2 * random_at(which, 0, seed + kPlaces) - 1, z = 2 * random_at(which, 1, seed + kPlaces) - 1;
+  const double length = std::sqrt(x * x + z * z);
+  return length > 0.1 ? glm::dvec2(x / length, z / length) : glm::dvec2(0.6, 0.8);
+}
+
+class SeededLand {
+ public:
+  SeededLand(const world::Park& park, double x, double z)
+      : park_(park),
+        relief_(kReliefs[static_cast<std::size_t>(park.land)]),
+        x_(x),
+        z_(z),
+        from_origin_(std::sqrt(x * x + z * z)) {}
+
+  double height() const {
+    const std::uint32_t seed = park_.seed;
+    // The whole rises a little, so that more of it is land than water.
+    double h = relief_.rolling * (0.17 + octaves(5, x_ / relief_.width, z_ / relief_.width, seed + kRolling)) + hills();
+    h = stepped(h * park_.relief);
+    h = with_water(h);
+    return h * level_start() * far_out();
+  }
+
+ private:
+  double hills() const {
+    if (relief_.hills == 0) return 0;
+    const double ridge = 1 - std::fabs(noise(x_ / 260 + 3.1, z_ / 260 + 1.7, park_.seed + kHills));
+    double from = from_origin_;
+    if (park_.land == world::Land::valley) from = std::fabs(beside_river());
+    return 0.9 * relief_.hills * (ridge * ridge * ridge - 0.1) *
+           smooth_step(relief_.hills_from, relief_.hills_to, from);
+  }
+
+  double stepped(double h) const {
+    if (relief_.terrace == 0 || h <= 2) return h;
+    const double much =
+        smooth_step(relief_.bare_from, relief_.bare_to, noise(x_ / 150 + 9, z_ / 150 - 4, park_.seed + kTerraces));
+    const double step = h / relief_.terrace, whole = std::floor(step);
+    const double terraced = relief_.terrace * (whole + smooth_step(0.35, 0.65, step - whole));
+    return mixed(h, terraced, much * smooth_step(2, 4, h));
+  }
+
+  // Distance (m) from the river's middle, across the valley; the station is on one bank.
+  double beside_river() const {
+    const glm::dvec2 along = direction_of(park_.seed, 0);
+    const double across = z_ * along.x - x_ * along.y - 60, down = x_ * along.x + z_ * along.y;
+    return across + 26 * noise(down / 110, 0.5, park_.seed + kShore);
+  }
+
+  double with_water(double h) const {
+    const std::uint32_t seed = park_.seed;
+    switch (park_.land) {
+      case world::Land::plain:
+      case world::Land::desert: return h;
+      case world::Land::meadow: return mixed(h, -3.5, smooth_step(0.35, 0.65, noise(x_ / 75, z_ / 75, seed + kPonds)));
+      case world::Land::valley: return mixed(h, -4, 1 - smooth_step(9, 26, std::fabs(beside_river())));
+      case world::Land::island:
+        return mixed(h, -14, smooth_step(150, 300, from_origin_ + 60 * octaves(3, x_ / 90, z_ / 90, seed + kShore)));
+      case world::Land::hills:
+      case world::Land::cliffs:
+      case world::Land::snow: break;
+    }
+    constexpr double kLake = 75, kAway = 105;  // m, its radius and how far it is from the origin
+    const glm::dvec2 middle = kAway * direction_of(seed, 1);
+    const double dx = x_ - middle.x, dz = z_ - middle.y;
+    const double l = std::sqrt(dx * dx + 1.6 * dz * dz) + 16 * octaves(3, x_ / 40, z_ / 40, seed + kShore);
+    return mixed(h, -6, 1 - smooth_step(kLake / 4, kLake, l));
+  }
+
+  // 0 on level ground of 48 x 24 m about the origin, where tracks begin; 1 from 26 m beside it on.
+  double level_start() const {
+    const double dx = std::fmax(std::fabs(x_) - 24, 0.0), dz = std::fmax(std::fabs(z_) - 12, 0.0);
+    return smooth_step(0, 26, std::sqrt(dx * dx + dz * dz));
+  }
+  double far_out() const {
+    const double out = std::fmax(std::fabs(x_), std::fabs(z_)) / (0.5 * world::kGroundSquare);
+    return 1 - smooth_step(1.5, 7, out);
+  }
+
+  const world::Park& park_;
+  const Relief& relief_;
+  double x_, z_, from_origin_;
+};
+
+int floored(int value, int by) { return value >= 0 ? value / by : -((by - 1 - value) / by); }
+
+}  // namespace
+
+double Land::seeded(double x, double z) const {
+  if (plain()) return 0;
+  const double h = SeededLand(park_, x, z).height();
+  return std::clamp(h, -world::kHighestGround, world::kHighestGround);
+}
+
+double Land::vertex(GroundVertex at) const {
+  if (plain()) return 0;
+  if (!park_.tiles.empty()) {
+    const int x = floored(at.x, world::kGroundTileCells), z = floored(at.z, world::kGroundTileCells);
+    const world::TilePlace place{static_cast<std::int16_t>(x), static_cast<std::int16_t>(z)};
+    if (const world::GroundTile* const tile = world::in_square(place) ? park_.tiles.find(place) : nullptr) {
+      const int column = at.x - x * world::kGroundTileCells, row = at.z - z * world::kGroundTileCells;
+      const std::int16_t height = tile->heights[static_cast<std::size_t>(row * world::kGroundTileCells + column)];
+      if (height != world::GroundTile::kSeeded) return height * world::kHeightStep;
+    }
+  }
+  return seeded(at.x * world::kGroundCell, at.z * world::kGroundCell);
+}
+
+double Land::height(double x, double z) const {
+  if (plain()) return 0;
+  if (!(std::fabs(x) < 1e7) || !(std::fabs(z) < 1e7)) return 0;
+  return height_between(x, z, [&](GroundVertex at) { return vertex(at); });
+}
+
+}  // namespace coaster::sim

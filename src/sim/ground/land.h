@@ -1,0 +1,48 @@
+// The land as people left it: a seeded land with the strokes of brushes, before it is cut to the track. Plans, drops
+// and snapping ask it, so that planning twice gives the same bits.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "world/document.h"
+
+namespace coaster::sim {
+
+// The side of a grid's cell, and the vertices (column, row) of that grid: vertex (0, 0) is at the origin.
+struct GroundVertex {
+  int x = 0, z = 0;
+};
+// Returns the height at a place of a grid of vertices. Each cell is two triangles, divided by the diagonal with the
+// smaller difference of heights, as it is drawn.
+double height_between(double x, double z, auto&& vertex_height);
+
+class Land {
+ public:
+  Land() = default;  // plain
+  explicit Land(const world::Park& park) : park_(park) {}
+
+  bool plain() const { return park_.plain(); }
+  const world::Park& park() const { return park_; }
+  // Returns the height (m) of a vertex of the grid of kGroundCell: that of a brush, else the seeded one. 0 if plain.
+  double vertex(GroundVertex at) const;
+  // Returns the height (m) at a place (x, z), on the triangles between the vertices; about a microsecond.
+  double height(double x, double z) const;
+  // Returns the seeded height (m) at a place, a smooth function of it; farther out than the square it falls to 0.
+  double seeded(double x, double z) const;
+
+ private:
+  world::Park park_;
+};
+
+inline double height_between(double x, double z, auto&& vertex_height) {
+  const double u = x / world::kGroundCell, v = z / world::kGroundCell;
+  const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+  const double p = u - i, q = v - j;
+  const double a = vertex_height(GroundVertex{i, j}), b = vertex_height(GroundVertex{i + 1, j}),
+               c = vertex_height(GroundVertex{i, j + 1}), d = vertex_height(GroundVertex{i + 1, j + 1});
+  if (std::fabs(a - d) <= std::fabs(b - c))  // the diagonal from a to d
+    return p >= q ? a + (b - a) * p + (d - b) * q : a + (d - c) * p + (c - a) * q;
+  return p + q <= 1 ? a + (b - a) * p + (c - a) * q : d + (c - d) * (1 - p) + (b - d) * (1 - q);
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,168 @@
+#include "sim/ground/plants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "sim/ground/noise.h"
+
+namespace coaster::sim {
+namespace {
+
+enum PlantSeed : std::uint32_t { kDensity = 5, kDetail = 6, kSort = 8, kPlace = 101 };
+
+struct Flora {
+  double trees, conifers, rocks;  // factor of the density of woods; shift towards conifers; part of cells with rocks
+};
+constexpr Flora kFloras[] = {
+    // in the order of world::Land
+    {0, 0, 0},        {0.8, -0.5, 0.01}, {1, 0, 0.02},     {1, 0.15, 0.02},
+    {0.9, 0.1, 0.05}, {0.9, -0.6, 0.02}, {0.25, -1, 0.06}, {1, 1, 0.02}};
+
+constexpr double kGrid = 5;         // m, side of a cell that holds at most one plant
+constexpr double kTrackReach = 44;  // m
+
+struct Spot {
+  double x, z, height, slope;  // slope: y of the ground's unit normal
+};
+
+Spot spot_at(const Ground& ground, double x, double z) {
+  const double h = ground.height(x, z), e = 1;
+  const double dx = (ground.height(x + e, z) - ground.height(x - e, z)) / (2 * e),
+               dz = (ground.height(x, z + e) - ground.height(x, z - e)) / (2 * e);
+  return {x, z, h, 1 / std::sqrt(1 + dx * dx + dz * dz)};
+}
+
+// How wooded a place is, 0..1 before the random number: by brush, else by noise and the slider.
+double density(const Ground& ground, double x, double z) {
+  const world::Park& park = ground.land().park();
+  const int column = static_cast<int>(std::floor(x / world::kGroundCell)),
+            row = static_cast<int>(std::floor(z / world::kGroundCell));
+  const auto tile_of = [](int v) {
+    return v >= 0 ? v / world::kGroundTileCells : -((31 - v) / world::kGroundTileCells);
+  };
+  const world::TilePlace place{static_cast<std::int16_t>(tile_of(column)), static_cast<std::int16_t>(tile_of(row))};
+  if (const world::GroundTile* const tile = park.tiles.find(place)) {
+    const int cx = (column - place.x * world::kGroundTileCells) / 2, cz = (row - place.z * world::kGroundTileCells) / 2;
+    const std::uint8_t painted = tile->woods[static_cast<std::size_t>(cz * (world::kGroundTileCells / 2) + cx)];
+    if (painted > 0) return (painted - 1) / 254.0;
+  }
+  const double noisy =
+      1.5 * noise(x / 70, z / 70, park.seed + kDensity) + 0.6 * noise(x / 22, z / 22, park.seed + kDetail);
+  return kFloras[static_cast<std::size_t>(park.land)].trees *
+         std::clamp(0.62 * (2.2 * park.woods - 1.1 + noisy) + 0.28, 0.0, 1.0);
+}
+
+bool clear_of_track(const Ground& ground, std::span<const std::size_t> near, const Spot& spot, double size,
+                    double top) {
+  for (const std::size_t i : near) {
+    const TrackSample& sample = ground.samples()[i];
+    const double dx = sample.at.x - spot.x, dz = sample.at.z - spot.z, d = std::sqrt(dx * dx + dz * dz);
+    if (sample.tunnel) {
+      if (d < 2.5) return false;  // roots
+      continue;
+    }
+    if (d < (sample.station ? 12 : 3.5) + 3.4 * size) return false;
+    if (spot.height + top > sample.at.y - 2 + 3 * d) return false;
+  }
+  for (const TunnelGate& gate : ground.gates()) {
+    const glm::dvec2 from = glm::dvec2(spot.x, spot.z) - glm::dvec2(gate.at.x, gate.at.z);
+    const double behind = glm::dot(from, gate.inwards);
+    if (behind > -14 && behind < 5 && glm::dot(from, from) < 15.0 * 15.0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Plants::update(const Ground& ground) {
+  if (ground_build_ == ground.build() && across_ == ground.tiles_across()) return;
+  ground_build_ = ground.build();
+  const std::span<const GroundPatch> patches = ground.patches();
+  if (across_ != ground.tiles_across())
+    patches_.clear(), patches_.resize(patches.size()), across_ = ground.tiles_across();
+  std::vector<std::size_t> stale;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (patches_[i].ground != patches[i].build) stale.push_back(i);
+  constexpr double kTile = world::kGroundTileCells * world::kGroundCell;
+  std::vector<std::vector<std::size_t>> near(stale.size());
+  for (std::size_t k = 0; k < stale.size(); ++k) {
+    const glm::dvec2 corner(patches[stale[k]].corner());
+    for (std::size_t s = 0; s < ground.samples().size(); ++s) {
+      const glm::dvec3 at = ground.samples()[s].at;
+      if (at.x > corner.x - kTrackReach && at.x < corner.x + kTile + kTrackReach && at.z > corner.y - kTrackReach &&
+          at.z < corner.y + kTile + kTrackReach)
+        near[k].push_back(s);
+    }
+  }
+  const world::Park& park = ground.land().park();
+  const Flora& flora = kFloras[static_cast<std::size_t>(park.land)];
+  ++build_;
+  base::in_parts(stale.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      PatchPlants& patch = patches_[stale[k]];
+      patch.ground = patches[stale[k]].build, patch.build = build_, patch.place = patches[stale[k]].place;
+      patch.plants.clear();
+      const glm::dvec2 corner(patches[stale[k]].corner());
+      const int first_x = static_cast<int>(std::floor(corner.x / kGrid)),
+                first_z = static_cast<int>(std::floor(corner.y / kGrid));
+      for (int z = first_z; z * kGrid < corner.y + kTile; ++z) {
+        for (int x = first_x; x * kGrid < corner.x + kTile; ++x) {
+          const auto chance = [&](std::uint32_t which) { return random_at(x, z, park.seed + kPlace + which); };
+          const double px = (x + 0.15 + 0.7 * chance(0)) * kGrid, pz = (z + 0.15 + 0.7 * chance(1)) * kGrid;
+          // A plant belongs to the patch it stands on.
+          if (px < corner.x || px >= corner.x + kTile || pz < corner.y || pz >= corner.y + kTile) continue;
+          const double wooded = density(ground, px, pz), keep = chance(2);
+          const bool tree = keep < wooded, bush = !tree && keep < wooded + 0.06 * (park.woods + 0.2);
+          const bool rock = !tree && !bush && chance(3) < flora.rocks;
+          if (!tree && !bush && !rock) continue;
+          const Spot spot = spot_at(ground, px, pz);
+          if (spot.height < ground.water() + 0.6 || (!rock && spot.slope < 0.82)) continue;
+          Plant plant;
+          plant.size = static_cast<float>(rock   ? 0.4 + 1.1 * chance(4)
+                                          : bush ? 0.6 + 0.6 * chance(4)
+                                                 : 0.65 + 0.75 * chance(4));
+          const double top = tree ? 9 * double{plant.size} : 1.6 * double{plant.size};
+          if (!clear_of_track(ground, near[k], spot, tree ? double{plant.size} : 0.4, top)) continue;
+          const double u = 2 * chance(5) - 1, v = 2 * chance(6) - 1, length = std::sqrt(u * u + v * v);
+          plant.turn = length > 0.05 ? glm::vec2(u / length, v / length) : glm::vec2(1, 0);
+          plant.tint = static_cast<float>(chance(7));
+          plant.foot = {static_cast<float>(px), static_cast<float>(spot.height), static_cast<float>(pz)};
+          const double sort =
+              noise(px / 90 + 7, pz / 90, park.seed + kSort) + 0.5 * (chance(8) - 0.5) + spot.height / 60;
+          const bool conifer = sort + flora.conifers > 0.05;
+          plant.kind = rock      ? PlantKind::rock
+                       : bush    ? PlantKind::bush
+                       : conifer ? PlantKind::conifer
+                                 : PlantKind::broadleaf;
+          patch.plants.push_back(plant);
+        }
+      }
+    }
+  });
+  trees_ = 0;
+  for (const PatchPlants& patch : patches_)
+    trees_ += static_cast<int>(std::ranges::count_if(
+        patch.plants, [](const Plant& p) { return p.kind == PlantKind::conifer || p.kind == PlantKind::broadleaf; }));
+}
+
+double Plants::distance(glm::dvec3 at, double most) const {
+  double nearest = most;
+  constexpr double kTile = world::kGroundTileCells * world::kGroundCell, kCrown = 4;  // m
+  for (const PatchPlants& patch : patches_) {
+    const double x0 = patch.place.x * kTile, z0 = patch.place.z * kTile, reach = most + kCrown;
+    if (at.x < x0 - reach || at.x > x0 + kTile + reach || at.z < z0 - reach || at.z > z0 + kTile + reach) continue;
+    for (const Plant& plant : patch.plants) {
+      if (plant.kind == PlantKind::bush || plant.kind == PlantKind::rock) continue;
+      const double dx = at.x - double{plant.foot.x}, dz = at.z - double{plant.foot.z}, size = double{plant.size};
+      const double up = at.y - double{plant.foot.y}, top = kTreeHeight * size;
+      // A crown is a cone or a ball over its trunk; both are about this wide at a height.
+      const double wide = up < 1.5 * size ? 0.3 : 2.4 * size * (1 - 0.75 * std::clamp(up / top, 0.0, 1.0));
+      const double aside = std::fmax(std::sqrt(dx * dx + dz * dz) - wide, 0.0), over = std::fmax(up - top, 0.0);
+      nearest = std::fmin(nearest, std::sqrt(aside * aside + over * over));
+    }
+  }
+  return nearest;
+}
+
+}  // namespace coaster::sim
