@@ -299,7 +299,7 @@ std::optional<double> Ground::meet(glm::dvec3 origin, glm::dvec3 direction, doub
     }
     for (double low = before, high = t;;) {
       const double middle = 0.5 * (low + high);
-      if (high - low < 1e-4 || middle <= low || middle >= high) return high;
+      if (high - low < 1e-5 || middle <= low || middle >= high) return high;
       (over(middle) >= 0 ? low : high) = middle;
     }
   }

@@ -11,7 +11,15 @@ namespace coaster::sim {
 namespace {
 
 // Each noise has a seed of its own, added to the park's.
-enum NoiseSeed : std::uint32_t { kRolling = 0, kPonds = 7, kShore = 9, kPlaces = 13, kHills = 50, kTerraces = 77 };
+enum NoiseSeed : std::uint32_t {
+  kRolling = 0,
+  kPonds = 7,
+  kShore = 9,
+  kPlaces = 13,
+  kBends = 23,
+  kHills = 50,
+  kTerraces = 77
+};
 
 struct Relief {
   double rolling, width;               // m, height and width of rolling ground
@@ -22,7 +30,7 @@ struct Relief {
 constexpr std::array<Relief, base::count_of<world::Land>()> kReliefs{{
     {0, 1, 0, 0, 1, 0, 0, 1},               // plain
     {3, 120, 0, 0, 1, 0, 0, 1},             // meadow
-    {11, 120, 60, 90, 330, 7, 0.15, 0.4},   // hills
+    {11, 120, 60, 90, 330, 7, 0.3, 0.6},   // hills
     {6, 120, 90, 60, 260, 0, 0, 1},         // valley
     {11, 120, 60, 80, 300, 12, -0.2, 0.2},  // cliffs
     {8, 120, 26, 30, 120, 0, 0, 1},         // island
@@ -44,7 +52,9 @@ class SeededLand {
         relief_(kReliefs[static_cast<std::size_t>(park.land)]),
         x_(x),
         z_(z),
-        from_origin_(std::sqrt(x * x + z * z)) {}
+        from_origin_(std::sqrt(x * x + z * z)),
+        bent_x_(x + 45 * octaves(2, x / 140 + 0.3, z / 140 + 0.7, park.seed + kBends)),
+        bent_z_(z + 45 * octaves(2, x / 140 + 8.1, z / 140 + 5.9, park.seed + kBends)) {}
 
   double height() const {
     const std::uint32_t seed = park_.seed;
@@ -58,7 +68,9 @@ class SeededLand {
  private:
   double hills() const {
     if (relief_.hills == 0) return 0;
-    const double ridge = 1 - std::fabs(noise(x_ / 260 + 3.1, z_ / 260 + 1.7, park_.seed + kHills));
+    const double fold = noise(bent_x_ / 260 + 3.1, bent_z_ / 260 + 1.7, park_.seed + kHills) +
+                        0.22 * noise(bent_x_ / 95, bent_z_ / 95, park_.seed + kHills + 1);
+    const double ridge = 1 - std::fmin(std::fabs(fold), 1.0);
     double from = from_origin_;
     if (park_.land == world::Land::valley) from = std::fabs(beside_river());
     return 0.9 * relief_.hills * (ridge * ridge * ridge - 0.1) *
@@ -67,8 +79,8 @@ class SeededLand {
 
   double stepped(double h) const {
     if (relief_.terrace == 0 || h <= 2) return h;
-    const double much =
-        smooth_step(relief_.bare_from, relief_.bare_to, noise(x_ / 150 + 9, z_ / 150 - 4, park_.seed + kTerraces));
+    const double much = smooth_step(relief_.bare_from, relief_.bare_to,
+                                    noise(bent_x_ / 150 + 9, bent_z_ / 150 - 4, park_.seed + kTerraces));
     const double step = h / relief_.terrace, whole = std::floor(step);
     const double terraced = relief_.terrace * (whole + smooth_step(0.35, 0.65, step - whole));
     return mixed(h, terraced, much * smooth_step(2, 4, h));
@@ -78,7 +90,7 @@ class SeededLand {
   double beside_river() const {
     const glm::dvec2 along = direction_of(park_.seed, 0);
     const double across = z_ * along.x - x_ * along.y - 60, down = x_ * along.x + z_ * along.y;
-    return across + 26 * noise(down / 110, 0.5, park_.seed + kShore);
+    return across + 34 * noise(down / 120, 0.5, park_.seed + kShore);
   }
 
   double with_water(double h) const {
@@ -86,7 +98,8 @@ class SeededLand {
     switch (park_.land) {
       case world::Land::plain:
       case world::Land::desert: return h;
-      case world::Land::meadow: return mixed(h, -3.5, smooth_step(0.35, 0.65, noise(x_ / 75, z_ / 75, seed + kPonds)));
+      case world::Land::meadow:
+        return mixed(h, -3.5, smooth_step(0.3, 0.55, noise(bent_x_ / 85, bent_z_ / 85, seed + kPonds)));
       case world::Land::valley: return mixed(h, -4, 1 - smooth_step(9, 26, std::fabs(beside_river())));
       case world::Land::island:
         return mixed(h, -14, smooth_step(150, 300, from_origin_ + 60 * octaves(3, x_ / 90, z_ / 90, seed + kShore)));
@@ -94,7 +107,7 @@ class SeededLand {
       case world::Land::cliffs:
       case world::Land::snow: break;
     }
-    constexpr double kLake = 75, kAway = 105;  // m, its radius and how far it is from the origin
+    constexpr double kLake = 115, kAway = 122;  // m, its radius and how far it is from the origin
     const glm::dvec2 middle = kAway * direction_of(seed, 1);
     const double dx = x_ - middle.x, dz = z_ - middle.y;
     const double l = std::sqrt(dx * dx + 1.6 * dz * dz) + 16 * octaves(3, x_ / 40, z_ / 40, seed + kShore);
@@ -113,7 +126,7 @@ class SeededLand {
 
   const world::Park& park_;
   const Relief& relief_;
-  double x_, z_, from_origin_;
+  double x_, z_, from_origin_, bent_x_, bent_z_;  // m; bent: the place in wavy coordinates, against straight ridges
 };
 
 int floored(int value, int by) { return value >= 0 ? value / by : -((by - 1 - value) / by); }

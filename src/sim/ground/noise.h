@@ -24,15 +24,20 @@ inline double smooth_step(double a, double b, double x) {
 }
 inline double mixed(double a, double b, double t) { return a + (b - a) * t; }
 
-// Noise with cells of 1 m, -1..1, twice continuously differentiable.
+// Gradient noise with cells of 1 m: about -1..1, 0 at the cells' corners, twice continuously differentiable.
 inline double noise(double x, double z, std::uint32_t seed) {
-  const double left = std::floor(x), low = std::floor(z);
-  const auto fade = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
-  const double u = fade(x - left), v = fade(z - low);
+  constexpr double kHalf = 0.70710678118654752;  // of a right angle: its sine
+  constexpr double kGradients[][2] = {{1, 0},  {kHalf, kHalf},   {0, 1},  {-kHalf, kHalf},
+                                      {-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}};
+  const double left = std::floor(x), low = std::floor(z), p = x - left, q = z - low;
   const auto i = static_cast<std::int32_t>(left), j = static_cast<std::int32_t>(low);
-  return 2 * mixed(mixed(random_at(i, j, seed), random_at(i + 1, j, seed), u),
-                   mixed(random_at(i, j + 1, seed), random_at(i + 1, j + 1, seed), u), v) -
-         1;
+  const auto at = [&](std::int32_t di, std::int32_t dj) {
+    const double* const g = kGradients[static_cast<int>(8 * random_at(i + di, j + dj, seed))];
+    return g[0] * (p - di) + g[1] * (q - dj);
+  };
+  const auto fade = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
+  const double u = fade(p), v = fade(q);
+  return 1.5 * mixed(mixed(at(0, 0), at(1, 0), u), mixed(at(0, 1), at(1, 1), u), v);
 }
 
 // The sum of octaves of half the height and half the width each, turned against each other: about -1..1.

@@ -113,7 +113,7 @@ void Plants::update(const Ground& ground) {
           // A plant belongs to the patch it stands on.
           if (px < corner.x || px >= corner.x + kTile || pz < corner.y || pz >= corner.y + kTile) continue;
           const double wooded = density(ground, px, pz), keep = chance(2);
-          const bool tree = keep < wooded, bush = !tree && keep < wooded + 0.06 * (park.woods + 0.2);
+          const bool tree = keep < wooded, bush = !tree && wooded > 0 && keep < wooded + 0.06;
           const bool rock = !tree && !bush && chance(3) < flora.rocks;
           if (!tree && !bush && !rock) continue;
           const Spot spot = spot_at(ground, px, pz);
