@@ -34,6 +34,14 @@ bool same(const TrackSample& a, const TrackSample& b) {
   return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel;
 }
 
+// True if a segment may change ground within the largest square.
+bool near_square(const curve::Cubic& c) {
+  constexpr float kHalf = 0.5f * world::kGroundSquare + kReach;
+  const glm::vec3 low = glm::min(glm::min(c.p0, c.p1), glm::min(c.p2, c.p3)),
+                  high = glm::max(glm::max(c.p0, c.p1), glm::max(c.p2, c.p3));
+  return low.x < kHalf && low.z < kHalf && high.x > -kHalf && high.z > -kHalf;
+}
+
 int tile_of(double x) { return static_cast<int>(std::floor(x / kTile)); }
 
 }  // namespace
@@ -103,7 +111,8 @@ bool Ground::take_samples(const world::Document& document, const DerivedTrack& d
     found.wish = section.valid() ? world::section(document, section).earthwork : world::Earthwork::automatic;
     found.station = shape.fitted == world::EquipmentKind::station;
     const bool usable = held && !all && held->shape_build == found.shape_build && held->station == found.station;
-    found.samples = usable ? held->samples : samples_of(shape, land_);
+    if (usable) found.samples = held->samples;
+    else if (near_square(shape.key.cubic)) found.samples = samples_of(shape, land_);
     for (TrackSample& sample : found.samples) {
       sample.segment = i, sample.wish = found.wish;
       samples_.push_back(sample);
@@ -194,6 +203,52 @@ void Ground::update(const world::Document& document, const DerivedTrack& derived
   ++build_;
 }
 
+// What cut() needs of a sample. Open track changes no land that is lower than the sides of its cut.
+struct Ground::Digging {
+  glm::dvec2 at{0};
+  double floor = 0, half_width = 0;  // m, of an open cut
+  double cover = 0;                  // m, least height over a tunnel
+  double reach = 0;                  // m^2, of the level distance
+  bool tunnel = false;
+};
+
+std::vector<Ground::Digging> Ground::digging_near(const GroundPatch& patch, std::span<const std::size_t> near) const {
+  const double highest = double{*std::ranges::max_element(patch.land)};
+  const bool any_tunnel = std::ranges::any_of(near, [&](std::size_t i) { return samples_[i].tunnel; });
+  std::vector<Digging> list;
+  for (const std::size_t i : near) {
+    const TrackSample& sample = samples_[i];
+    if (!sample.tunnel && sample.wish == world::Earthwork::none) continue;
+    Digging dig{.at = {sample.at.x, sample.at.z}, .reach = kReach * kReach, .tunnel = sample.tunnel};
+    dig.floor = sample.at.y - room_.below;
+    dig.half_width = room_.beside + (sample.station ? 6.5 : 2.9);
+    dig.cover = sample.at.y + room_.lift + room_.tube + 0.9;
+    if (!any_tunnel) {  // else the nearest open track matters, however high
+      if (dig.floor >= highest + kBend) continue;
+      const double reach = dig.half_width + (highest + kBend - dig.floor) / 0.75;
+      dig.reach = std::fmin(dig.reach, reach * reach);
+    }
+    list.push_back(dig);
+  }
+  return list;
+}
+
+void Ground::build_patch(GroundPatch& patch, bool new_land, std::span<const std::size_t> near) const {
+  const int x0 = patch.place.x * world::kGroundTileCells, z0 = patch.place.z * world::kGroundTileCells;
+  const auto each = [&](auto&& visit) {
+    std::size_t v = 0;
+    for (int z = 0; z < GroundPatch::kSide; ++z)
+      for (int x = 0; x < GroundPatch::kSide; ++x) visit(v++, GroundVertex{x0 + x, z0 + z});
+  };
+  if (new_land) each([&](std::size_t v, GroundVertex at) { patch.land[v] = static_cast<float>(land_.vertex(at)); });
+  patch.heights = patch.land;
+  const std::vector<Digging> digging = digging_near(patch, near);
+  if (!digging.empty())
+    each([&](std::size_t v, GroundVertex at) { patch.heights[v] = cut(at, patch.land[v], digging); });
+  const auto [low, high] = std::ranges::minmax_element(patch.heights);
+  patch.low = *low, patch.high = *high;
+}
+
 void Ground::build_patches() {
   std::vector<std::size_t> stale;
   for (std::size_t i = 0; i < stale_.size(); ++i)
@@ -211,20 +266,9 @@ void Ground::build_patches() {
   const std::uint64_t build = build_ + 1;
   base::in_parts(stale.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      GroundPatch& patch = patches_[stale[k]];
-      const int x0 = patch.place.x * world::kGroundTileCells, z0 = patch.place.z * world::kGroundTileCells;
-      const bool new_land = stale_[stale[k]] == 2;
-      patch.low = std::numeric_limits<float>::max(), patch.high = -patch.low;
-      for (int z = 0; z < GroundPatch::kSide; ++z) {
-        for (int x = 0; x < GroundPatch::kSide; ++x) {
-          const auto v = static_cast<std::size_t>(z * GroundPatch::kSide + x);
-          if (new_land) patch.land[v] = static_cast<float>(land_.vertex({x0 + x, z0 + z}));
-          patch.heights[v] =
-              near[stale[k]].empty() ? patch.land[v] : cut(x0 + x, z0 + z, patch.land[v], near[stale[k]]);
-          patch.low = std::min(patch.low, patch.heights[v]), patch.high = std::max(patch.high, patch.heights[v]);
-        }
-      }
-      patch.build = build;
+      const std::size_t i = stale[k];
+      build_patch(patches_[i], stale_[i] == 2, near[i]);
+      patches_[i].build = build;
     }
   });
   for (const std::size_t i : stale) stale_[i] = 0;
@@ -233,40 +277,43 @@ void Ground::build_patches() {
 
 // The height of a vertex: lowered beside open track; in a tunnel the hill, lowered behind its gates and at least as
 // high as covers the tube.
-float Ground::cut(int x, int z, float land, std::span<const std::size_t> near) const {
-  const glm::dvec2 at = world::kGroundCell * glm::dvec2(x, z);
+float Ground::cut(GroundVertex vertex, float land, std::span<const Digging> near) const {
+  const glm::dvec2 at = world::kGroundCell * glm::dvec2(vertex.x, vertex.z);
   const double none = std::numeric_limits<double>::max();
   double open = none, inside = none, cap = none, cover = -none;
-  for (const std::size_t i : near) {
-    const TrackSample& sample = samples_[i];
-    const double dx = sample.at.x - at.x, dz = sample.at.z - at.y, square = dx * dx + dz * dz;
-    if (square > kReach * kReach) continue;
+  for (const Digging& dig : near) {
+    const glm::dvec2 away = dig.at - at;
+    const double square = glm::dot(away, away);
+    if (square > dig.reach) continue;
     const double distance = std::sqrt(square);
-    if (sample.tunnel) {
+    if (dig.tunnel) {
       inside = std::fmin(inside, distance);
-      if (distance < room_.tube + 2.5) cover = std::fmax(cover, sample.at.y + room_.lift + room_.tube + 0.9);
-    } else if (sample.wish != world::Earthwork::none) {
+      if (distance < room_.tube + 2.5) cover = std::fmax(cover, dig.cover);
+    } else {
       open = std::fmin(open, distance);
-      const double half_width = room_.beside + (sample.station ? 6.5 : 2.9);
-      cap = std::fmin(cap, sample.at.y - room_.below + side_of_cut(distance, half_width));
+      cap = std::fmin(cap, dig.floor + side_of_cut(distance, dig.half_width));
     }
   }
-  double height = land;
-  if (cap < land + kBend) height = smooth_min(land, cap);
+  double height = double{land};
+  if (cap < height + kBend) height = smooth_min(height, cap);
   if (inside == none) return static_cast<float>(height);
-  double hill = land;
-  for (const TunnelGate& gate : gates_) {
-    const glm::dvec2 from = at - glm::dvec2(gate.at.x, gate.at.z);
-    const double behind = glm::dot(from, gate.inwards);
-    if (behind < -4 || behind > 34) continue;
-    const double aside = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x);
-    if (aside > 40) continue;
-    hill = std::fmin(hill, gate.at.y + room_.lift + room_.tube + 1.8 + 0.85 * std::fmax(0.0, behind - 1) +
-                               0.9 * std::fmax(0.0, aside - room_.tube - 2.6));
-  }
-  hill = std::fmax(hill, cover);
+  const double hill = std::fmax(std::fmin(double{land}, behind_gates(at)), cover);
   const double within = open == none ? 1.0 : smooth_step(0, 5, open - inside);
   return static_cast<float>(mixed(height, hill, within));
+}
+
+// The height up to which a hill may rise at a place, so that it does not hang over a portal.
+double Ground::behind_gates(glm::dvec2 at) const {
+  double most = std::numeric_limits<double>::max();
+  for (const TunnelGate& gate : gates_) {
+    const glm::dvec2 from = at - glm::dvec2(gate.at.x, gate.at.z);
+    const double behind = glm::dot(from, gate.inwards),
+                 aside = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x);
+    if (behind < -4 || behind > 34 || aside > 40) continue;
+    most = std::fmin(most, gate.at.y + room_.lift + room_.tube + 1.8 + 0.85 * std::fmax(0.0, behind - 1) +
+                               0.9 * std::fmax(0.0, aside - room_.tube - 2.6));
+  }
+  return most;
 }
 
 double Ground::height(double x, double z) const {

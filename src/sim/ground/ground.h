@@ -71,7 +71,11 @@ class Ground {
   void find_gates();
   void mark_near(const TrackSample& sample);
   void build_patches();
-  float cut(int x, int z, float land, std::span<const std::size_t> near) const;
+  struct Digging;
+  std::vector<Digging> digging_near(const GroundPatch& patch, std::span<const std::size_t> near) const;
+  void build_patch(GroundPatch& patch, bool new_land, std::span<const std::size_t> near) const;
+  float cut(GroundVertex vertex, float land, std::span<const Digging> near) const;
+  double behind_gates(glm::dvec2 at) const;
   const GroundPatch* patch_at(world::TilePlace place) const;
 
   Land land_;

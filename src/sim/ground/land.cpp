@@ -30,7 +30,7 @@ struct Relief {
 constexpr std::array<Relief, base::count_of<world::Land>()> kReliefs{{
     {0, 1, 0, 0, 1, 0, 0, 1},               // plain
     {3, 120, 0, 0, 1, 0, 0, 1},             // meadow
-    {11, 120, 60, 90, 330, 7, 0.3, 0.6},   // hills
+    {11, 120, 60, 90, 330, 7, 0.3, 0.6},    // hills
     {6, 120, 90, 60, 260, 0, 0, 1},         // valley
     {11, 120, 60, 80, 300, 12, -0.2, 0.2},  // cliffs
     {8, 120, 26, 30, 120, 0, 0, 1},         // island

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/parallel.h"
 #include "sim/ground/noise.h"
@@ -73,6 +74,68 @@ bool clear_of_track(const Ground& ground, std::span<const std::size_t> near, con
   return true;
 }
 
+// The cells of 5 m of one patch, each with at most one plant, all of whose random numbers come from the cell.
+class Planter {
+ public:
+  Planter(const Ground& ground, const GroundPatch& patch)
+      : ground_(ground),
+        park_(ground.land().park()),
+        flora_(kFloras[static_cast<std::size_t>(park_.land)]),
+        corner_(patch.corner()) {
+    for (std::size_t s = 0; s < ground.samples().size(); ++s) {
+      const glm::dvec2 at(ground.samples()[s].at.x, ground.samples()[s].at.z), from = at - corner_;
+      if (std::min(from.x, from.y) > -kTrackReach && std::max(from.x, from.y) < kTile + kTrackReach) near_.push_back(s);
+    }
+  }
+
+  std::vector<Plant> plants() const {
+    std::vector<Plant> plants;
+    for (int z = static_cast<int>(std::floor(corner_.y / kGrid)); z * kGrid < corner_.y + kTile; ++z)
+      for (int x = static_cast<int>(std::floor(corner_.x / kGrid)); x * kGrid < corner_.x + kTile; ++x)
+        if (const auto plant = plant_in(x, z)) plants.push_back(*plant);
+    return plants;
+  }
+
+ private:
+  static constexpr double kTile = world::kGroundTileCells * world::kGroundCell;
+
+  std::optional<Plant> plant_in(int x, int z) const {
+    const auto chance = [&](std::uint32_t which) { return random_at(x, z, park_.seed + kPlace + which); };
+    const double px = (x + 0.15 + 0.7 * chance(0)) * kGrid, pz = (z + 0.15 + 0.7 * chance(1)) * kGrid;
+    // A plant belongs to the patch it stands on.
+    if (px < corner_.x || px >= corner_.x + kTile || pz < corner_.y || pz >= corner_.y + kTile) return std::nullopt;
+    const double wooded = density(ground_, px, pz), keep = chance(2);
+    const bool tree = keep < wooded, bush = !tree && wooded > 0 && keep < wooded + 0.06;
+    const bool rock = !tree && !bush && chance(3) < flora_.rocks;
+    if (!tree && !bush && !rock) return std::nullopt;
+    const Spot spot = spot_at(ground_, px, pz);
+    if (spot.height < ground_.water() + 0.6 || (!rock && spot.slope < 0.82)) return std::nullopt;
+    const double size = rock ? 0.4 + 1.1 * chance(4) : bush ? 0.6 + 0.6 * chance(4) : 0.65 + 0.75 * chance(4);
+    if (!clear_of_track(ground_, near_, spot, tree ? size : 0.4, (tree ? 9 : 1.6) * size)) return std::nullopt;
+    Plant plant{.foot = {px, spot.height, pz}, .size = static_cast<float>(size)};
+    const double u = 2 * chance(5) - 1, v = 2 * chance(6) - 1, length = std::sqrt(u * u + v * v);
+    if (length > 0.05) plant.turn = {u / length, v / length};
+    plant.tint = static_cast<float>(chance(7));
+    plant.kind = rock ? PlantKind::rock : bush ? PlantKind::bush : tree_at(spot, chance(8));
+    return plant;
+  }
+
+  // Conifers on heights, groves of broadleaf trees below.
+  PlantKind tree_at(const Spot& spot, double random) const {
+    const double sort = noise(spot.x / 90 + 7, spot.z / 90, park_.seed + kSort) + 0.5 * (random - 0.5) +
+                        spot.height / 60 + flora_.conifers;
+    return sort > 0.05 ? PlantKind::conifer : PlantKind::broadleaf;
+  }
+
+  const Ground& ground_;
+  const world::Park& park_;
+  const Flora& flora_;
+  glm::dvec2 corner_;
+  std::vector<std::size_t> near_;  // samples of the track
+};
+
+bool is_tree(const Plant& plant) { return plant.kind == PlantKind::conifer || plant.kind == PlantKind::broadleaf; }
+
 }  // namespace
 
 void Plants::update(const Ground& ground) {
@@ -84,66 +147,15 @@ void Plants::update(const Ground& ground) {
   std::vector<std::size_t> stale;
   for (std::size_t i = 0; i < patches.size(); ++i)
     if (patches_[i].ground != patches[i].build) stale.push_back(i);
-  constexpr double kTile = world::kGroundTileCells * world::kGroundCell;
-  std::vector<std::vector<std::size_t>> near(stale.size());
-  for (std::size_t k = 0; k < stale.size(); ++k) {
-    const glm::dvec2 corner(patches[stale[k]].corner());
-    for (std::size_t s = 0; s < ground.samples().size(); ++s) {
-      const glm::dvec3 at = ground.samples()[s].at;
-      if (at.x > corner.x - kTrackReach && at.x < corner.x + kTile + kTrackReach && at.z > corner.y - kTrackReach &&
-          at.z < corner.y + kTile + kTrackReach)
-        near[k].push_back(s);
-    }
-  }
-  const world::Park& park = ground.land().park();
-  const Flora& flora = kFloras[static_cast<std::size_t>(park.land)];
   ++build_;
   base::in_parts(stale.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      PatchPlants& patch = patches_[stale[k]];
-      patch.ground = patches[stale[k]].build, patch.build = build_, patch.place = patches[stale[k]].place;
-      patch.plants.clear();
-      const glm::dvec2 corner(patches[stale[k]].corner());
-      const int first_x = static_cast<int>(std::floor(corner.x / kGrid)),
-                first_z = static_cast<int>(std::floor(corner.y / kGrid));
-      for (int z = first_z; z * kGrid < corner.y + kTile; ++z) {
-        for (int x = first_x; x * kGrid < corner.x + kTile; ++x) {
-          const auto chance = [&](std::uint32_t which) { return random_at(x, z, park.seed + kPlace + which); };
-          const double px = (x + 0.15 + 0.7 * chance(0)) * kGrid, pz = (z + 0.15 + 0.7 * chance(1)) * kGrid;
-          // A plant belongs to the patch it stands on.
-          if (px < corner.x || px >= corner.x + kTile || pz < corner.y || pz >= corner.y + kTile) continue;
-          const double wooded = density(ground, px, pz), keep = chance(2);
-          const bool tree = keep < wooded, bush = !tree && wooded > 0 && keep < wooded + 0.06;
-          const bool rock = !tree && !bush && chance(3) < flora.rocks;
-          if (!tree && !bush && !rock) continue;
-          const Spot spot = spot_at(ground, px, pz);
-          if (spot.height < ground.water() + 0.6 || (!rock && spot.slope < 0.82)) continue;
-          Plant plant;
-          plant.size = static_cast<float>(rock   ? 0.4 + 1.1 * chance(4)
-                                          : bush ? 0.6 + 0.6 * chance(4)
-                                                 : 0.65 + 0.75 * chance(4));
-          const double top = tree ? 9 * double{plant.size} : 1.6 * double{plant.size};
-          if (!clear_of_track(ground, near[k], spot, tree ? double{plant.size} : 0.4, top)) continue;
-          const double u = 2 * chance(5) - 1, v = 2 * chance(6) - 1, length = std::sqrt(u * u + v * v);
-          plant.turn = length > 0.05 ? glm::vec2(u / length, v / length) : glm::vec2(1, 0);
-          plant.tint = static_cast<float>(chance(7));
-          plant.foot = {static_cast<float>(px), static_cast<float>(spot.height), static_cast<float>(pz)};
-          const double sort =
-              noise(px / 90 + 7, pz / 90, park.seed + kSort) + 0.5 * (chance(8) - 0.5) + spot.height / 60;
-          const bool conifer = sort + flora.conifers > 0.05;
-          plant.kind = rock      ? PlantKind::rock
-                       : bush    ? PlantKind::bush
-                       : conifer ? PlantKind::conifer
-                                 : PlantKind::broadleaf;
-          patch.plants.push_back(plant);
-        }
-      }
+      const GroundPatch& from = patches[stale[k]];
+      patches_[stale[k]] = {from.build, build_, from.place, Planter(ground, from).plants()};
     }
   });
   trees_ = 0;
-  for (const PatchPlants& patch : patches_)
-    trees_ += static_cast<int>(std::ranges::count_if(
-        patch.plants, [](const Plant& p) { return p.kind == PlantKind::conifer || p.kind == PlantKind::broadleaf; }));
+  for (const PatchPlants& patch : patches_) trees_ += static_cast<int>(std::ranges::count_if(patch.plants, is_tree));
 }
 
 double Plants::distance(glm::dvec3 at, double most) const {
@@ -153,7 +165,7 @@ double Plants::distance(glm::dvec3 at, double most) const {
     const double x0 = patch.place.x * kTile, z0 = patch.place.z * kTile, reach = most + kCrown;
     if (at.x < x0 - reach || at.x > x0 + kTile + reach || at.z < z0 - reach || at.z > z0 + kTile + reach) continue;
     for (const Plant& plant : patch.plants) {
-      if (plant.kind == PlantKind::bush || plant.kind == PlantKind::rock) continue;
+      if (!is_tree(plant)) continue;
       const double dx = at.x - double{plant.foot.x}, dz = at.z - double{plant.foot.z}, size = double{plant.size};
       const double up = at.y - double{plant.foot.y}, top = kTreeHeight * size;
       // A crown is a cone or a ball over its trunk; both are about this wide at a height.
