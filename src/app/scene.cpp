@@ -37,11 +37,29 @@ const sim::ElementPlan* shown_closing(const edit::SessionFindings& find, const P
   return ways.empty() ? nullptr : &ways[std::min(wanted, ways.size() - 1)].plan;
 }
 
+// Seats different people in every other car, who raise their arms where they nearly float.
+void enliven(const edit::Session& session, std::vector<sim::Pose>& poses) {
+  constexpr float kFloating = 0.3f;        // g
+  constexpr std::size_t kMostLively = 64;  // cars, for which the felt g is computed in each picture
+  std::size_t train = 0;
+  int car = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i, ++car) {
+    if (poses[i].leads && i > 0) ++train, car = 0;
+    poses[i].group = static_cast<std::uint8_t>(car % 2);
+    if (i >= kMostLively) continue;
+    const world::Entity entity = session.motion.carts.entities()[train];
+    const world::TrainMotion& motion = session.motion.carts.items()[train];
+    poses[i].arms_up = sim::felt(session.document, session.derived, entity, motion, car).up < kFloating;
+  }
+}
+
 }  // namespace
 
 std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
-  return sim::shown_cars(session.document, session.derived, session.motion, session.settings.frames, eye,
-                         gfx::CarInstances::kFullCars);
+  std::vector<sim::Pose> poses = sim::shown_cars(session.document, session.derived, session.motion,
+                                                 session.settings.frames, eye, gfx::CarInstances::kFullCars);
+  if (session.settings.look->scenery != world::Scenery::plain) enliven(session, poses);
+  return poses;
 }
 
 PictureContents find_seen(Program& program, const PictureSettings& look) {

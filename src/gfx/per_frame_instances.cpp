@@ -72,12 +72,24 @@ CarInstances::CarInstances(const Gl& gl)
       mark_buffer_(gl),
       line_array_(make_vertex_array(gl)),
       mark_array_(make_vertex_array(gl)),
-      models_{Model(gl), Model(gl), Model(gl), Model(gl)} {}
+      models_{Model(gl), Model(gl), Model(gl), Model(gl), Model(gl),
+              Model(gl), Model(gl), Model(gl), Model(gl), Model(gl)} {}
+
+// The others are leading and following cars by group and arms, without those that come first.
+CarInstances::Kind CarInstances::kind_of(const sim::Pose& car) {
+  const int riders = 2 * (car.group % sim::kRiderGroups) + int{car.arms_up};
+  if (riders == 0) return car.leads ? leading : following;
+  return static_cast<Kind>(kOthers + 2 * (riders - 1) + int{!car.leads});
+}
 
 void CarInstances::take_kind(world::CoasterKind kind) {
   if (kind_ == kind) return;
   kind_ = kind;
-  models_[leading].fill(sim::car_mesh(kind, true)), models_[following].fill(sim::car_mesh(kind, false));
+  for (const bool leads : {true, false})
+    for (std::uint8_t group = 0; group < sim::kRiderGroups; ++group)
+      for (const bool arms_up : {false, true})
+        models_[kind_of({.leads = leads, .group = group, .arms_up = arms_up})].fill(
+            sim::car_mesh(kind, leads, {group, arms_up}));
   models_[coupling].fill(sim::coupling_mesh()), models_[distant].fill(sim::distant_car_mesh(kind));
   for (Model& model : models_) model.link(*gl_);
 }
@@ -109,10 +121,10 @@ void CarInstances::upload(const view::Overlay& overlay, std::span<const sim::Pos
   send(mark_buffer_, mark_array_, {3, 1, 1, 4});
   lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size());
   choose_cars(carts, eye);
-  for (const Kind kind : {leading, following, coupling, distant}) {
-    if (kind == coupling) stage_couplings(carts);
-    else stage_cars(carts, kind);
-    send_poses(models_[kind]);
+  for (std::size_t i = 0; i < kKinds; ++i) {
+    if (const auto each = static_cast<Kind>(i); each == coupling) stage_couplings(carts);
+    else stage_cars(carts, each);
+    send_poses(models_[i]);
   }
 }
 
@@ -130,7 +142,7 @@ void CarInstances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) 
     far = *first_far;
   }
   shown_.clear();
-  for (const sim::Pose& car : cars) shown_.push_back(distance(car) >= far ? distant : car.leads ? leading : following);
+  for (const sim::Pose& car : cars) shown_.push_back(distance(car) >= far ? distant : kind_of(car));
 }
 
 void CarInstances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
@@ -147,7 +159,7 @@ void CarInstances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
 void CarInstances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {
-    if (shown_[i] != following) continue;
+    if (cars[i].leads || shown_[i] == distant) continue;
     const double height = sim::form_of(*kind_).hitch;
     const glm::dvec3 from = hitch(cars[i], 1, height), way = hitch(cars[i - 1], -1, height) - from;
     const double length = glm::length(way);

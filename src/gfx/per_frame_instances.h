@@ -28,8 +28,8 @@ class CarInstances {
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
   // Returns the cars of all trains. draw_cars() draws them and their couplings with the program in use (locations 0
   // position, 1 normal, 2 part, 3 to 6 the columns of the model matrix, 7 zero) and returns the number of draw calls:
-  // at most 4 for any number of cars.
-  int cars() const { return int(models_[leading].count + models_[following].count + models_[distant].count); }
+  // at most kKinds for any number of cars.
+  int cars() const { return int(shown_.size()); }
   int draw_cars() const;
   int car_draw_calls() const;
   std::int64_t car_triangles() const;  // per draw
@@ -51,7 +51,10 @@ class CarInstances {
     GlObject array;
     GLsizei index_count = 0, count = 0;
   };
-  enum Kind : std::uint8_t { leading, following, coupling, distant };
+  // Cars with riders of the first group whose hands are on the bar, couplings, blocks; then the other riders.
+  enum Kind : std::uint8_t { leading, following, coupling, distant, kOthers };
+  static constexpr std::size_t kKinds = kOthers + 6;
+  static Kind kind_of(const sim::Pose& car);
   void take_kind(world::CoasterKind kind);
   void choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye);
   void stage_cars(std::span<const sim::Pose> cars, Kind kind);
@@ -63,7 +66,7 @@ class CarInstances {
   GlObject line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
   std::optional<world::CoasterKind> kind_;  // of the models
-  std::array<Model, 4> models_;             // by kind, in drawing order
+  std::array<Model, kKinds> models_;        // by kind, in drawing order
   std::vector<Kind> shown_;                 // by car
   std::vector<double> distances_;           // m^2, kept for its capacity
   std::vector<float> staged_;               // kept for its capacity

@@ -56,7 +56,7 @@ int texels_for(const view::Viewport& viewport) {
 
 bool same(const sim::Pose& a, const sim::Pose& b) {
   return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up &&
-         a.length == b.length && a.leads == b.leads;
+         a.length == b.length && a.leads == b.leads && a.group == b.group && a.arms_up == b.arms_up;
 }
 
 }  // namespace

@@ -70,6 +70,8 @@ struct Pose {
   bool defined = true;
   double length = world::kCarLength;  // m, of the car
   bool leads = true;                  // the first car of its train
+  std::uint8_t group = 0;             // of its riders (sim/solids/train_mesh.h)
+  bool arms_up = false;               // the riders raise their arms
 };
 Pose pose(const DerivedTrack& derived, const world::TrainMotion& cart, world::FrameMethod method);
 // Return the pose at a position on the track, and of all cars of a train, first to last.

@@ -145,26 +145,59 @@ void add_bench(double x, Mesh& mesh) {
   add_bar({x + 0.24, 0.90, -0.45}, {x + 0.24, 0.90, 0.45}, 0.035, 0.035, 8, Material::chain, 0, true, mesh);
 }
 
-// Adds a rider whose hip is at `hip`, looking along +X, with hands on the bar.
-void add_rider(dvec3 hip, Material shirt, Material trousers, Mesh& mesh) {
-  const dvec3 chest = hip + dvec3(-0.05, 0.26, 0), head = hip + dvec3(-0.07, 0.66, 0);
-  add_ball(chest, {0.125, 0.31, 0.19}, 12, shirt, mesh);
-  add_bar(hip + dvec3(-0.06, 0.50, 0), head, 0.05, 0.05, 8, Material::skin, 0, false, mesh);
+// A rider's clothes and hair, and the size of chest and head.
+struct RiderLook {
+  Material shirt, trousers, hair;
+  double size = 1;
+};
+constexpr RiderLook kLooks[kRiderGroups][4] = {{{Material::teal, Material::hair, Material::hair},
+                                                {Material::sand, Material::chassis, Material::hair},
+                                                {Material::linen, Material::chassis, Material::hair},
+                                                {Material::plum, Material::hair, Material::hair}},
+                                               {{Material::plum, Material::chassis, Material::timber, 0.9},
+                                                {Material::linen, Material::hair, Material::sand, 0.94},
+                                                {Material::stripe, Material::teal, Material::hair},
+                                                {Material::teal, Material::sand, Material::chassis, 0.88}}};
+
+// Adds an arm from the shoulder: to the bar, or raised.
+void add_arm(dvec3 hip, double side, Material shirt, bool raised, Mesh& mesh) {
+  const dvec3 shoulder = hip + dvec3(-0.05, 0.45, 0.17 * side);
+  const dvec3 elbow = hip + (raised ? dvec3(0.05, 0.68, 0.23 * side) : dvec3(0.06, 0.20, 0.235 * side)),
+              hand = hip + (raised ? dvec3(0.07, 0.93, 0.20 * side) : dvec3(0.24, 0.24, 0.12 * side));
+  add_ball(shoulder, {0.07, 0.07, 0.07}, 8, shirt, mesh);
+  add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, 0, false, mesh);
+  add_bar(elbow, hand, 0.045, 0.035, 8, Material::skin, 0, false, mesh);
+  add_ball(hand, {0.045, 0.045, 0.04}, 8, Material::skin, mesh);
+}
+
+// Adds a rider whose hip is at `hip`, looking along +X.
+void add_rider(dvec3 hip, const RiderLook& look, bool arms_up, Mesh& mesh) {
+  const dvec3 chest = hip + dvec3(-0.05, 0.26, 0), head = hip + dvec3(-0.07, 0.66 * look.size, 0);
+  add_ball(chest, look.size * dvec3(0.125, 0.31, 0.19), 12, look.shirt, mesh);
+  add_bar(hip + dvec3(-0.06, 0.50 * look.size, 0), head, 0.05, 0.05, 8, Material::skin, 0, false, mesh);
   add_ball(head, {0.105, 0.125, 0.09}, 16, Material::skin, mesh);
-  add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, Material::hair, mesh);
+  add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, look.hair, mesh);
   for (const double side : {-1.0, 1.0}) {
-    const dvec3 shoulder = hip + dvec3(-0.05, 0.45, 0.17 * side), elbow = hip + dvec3(0.06, 0.20, 0.235 * side),
-                hand = hip + dvec3(0.24, 0.24, 0.12 * side);
-    add_ball(shoulder, {0.07, 0.07, 0.07}, 8, shirt, mesh);
-    add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, 0, false, mesh);
-    add_bar(elbow, hand, 0.045, 0.035, 8, Material::skin, 0, false, mesh);
-    add_ball(hand, {0.045, 0.045, 0.04}, 8, Material::skin, mesh);
+    add_arm(hip, side, look.shirt, arms_up, mesh);
     const dvec3 knee = hip + dvec3(0.36, 0.06, 0.10 * side);
-    add_bar(hip + dvec3(-0.02, 0.03, 0.09 * side), knee, 0.09, 0.07, 8, trousers, 0, false, mesh);
-    add_ball(knee, {0.07, 0.07, 0.07}, 8, trousers, mesh);
-    add_bar(knee, hip + dvec3(0.44, -0.18, 0.10 * side), 0.065, 0.05, 8, trousers, 0, false, mesh);
+    add_bar(hip + dvec3(-0.02, 0.03, 0.09 * side), knee, 0.09, 0.07, 8, look.trousers, 0, false, mesh);
+    add_ball(knee, {0.07, 0.07, 0.07}, 8, look.trousers, mesh);
+    add_bar(knee, hip + dvec3(0.44, -0.18, 0.10 * side), 0.065, 0.05, 8, look.trousers, 0, false, mesh);
   }
 }
+
+// The riders of a car, who take their seats one after another.
+class RiderRow {
+ public:
+  explicit RiderRow(CarRiders riders) : riders_(riders) {}
+  void seat(dvec3 hip, Mesh& mesh) {
+    add_rider(hip, kLooks[riders_.group % kRiderGroups][next_++], riders_.arms_up, mesh);
+  }
+
+ private:
+  CarRiders riders_;
+  int next_ = 0;
+};
 
 }  // namespace
 
@@ -191,15 +224,12 @@ void add_ball(dvec3 middle, dvec3 half, int sides, Material part, Mesh& mesh) {
 
 namespace {
 
-constexpr Material kShirts[] = {Material::teal, Material::sand, Material::linen, Material::plum},
-                   kTrousers[] = {Material::hair, Material::chassis, Material::chassis, Material::hair};
-
 void add_bogies(Mesh& mesh) {
   for (const double x : {-0.66, 0.66})
     for (const double side : {-1.0, 1.0}) add_bogie(x, side, mesh);
 }
 
-Mesh steel_car(bool leading) {
+Mesh steel_car(bool leading, CarRiders riders) {
   Mesh mesh;
   std::vector<BodySection> body{{-1.10, 0.34, 0.54, 0.40},
                                 {-1.06, 0.28, 0.62, 0.49},
@@ -218,19 +248,18 @@ Mesh steel_car(bool leading) {
   add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Material::seat, mesh);
   add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Material::chassis, mesh);
   add_bogies(mesh);
-  int rider = 0;
+  RiderRow seats(riders);
   for (const double x : {-0.06, -0.74})
     for (const double z : {-0.265, 0.265}) {
       const double shifted = leading ? x : x + 0.24;
       add_seat(shifted, z, mesh);
-      add_rider({shifted, kHip, z}, kShirts[rider], kTrousers[rider], mesh);
-      ++rider;
+      seats.seat({shifted, kHip, z}, mesh);
     }
   return mesh;
 }
 
 // A box with low sides and benches, and a flat front that leans back.
-Mesh wooden_car(bool leading) {
+Mesh wooden_car(bool leading, CarRiders riders) {
   Mesh mesh;
   add_block({-1.10, 0.24, -0.60}, {1.06, 0.30, 0.60}, Material::chassis, mesh);
   for (const double side : {-1.0, 1.0}) {
@@ -249,26 +278,23 @@ Mesh wooden_car(bool leading) {
     add_block({1.02, 0.30, -0.60}, {1.10, 0.80, 0.60}, Material::body, mesh);
   }
   add_bogies(mesh);
-  int rider = 0;
+  RiderRow seats(riders);
   for (const double row : {-0.08, -0.70}) {
     const double x = leading ? row : row + 0.26;
     add_bench(x, mesh);
-    for (const double z : {-0.25, 0.25}) {
-      add_rider({x, 0.74, z}, kShirts[rider], kTrousers[rider], mesh);
-      ++rider;
-    }
+    for (const double z : {-0.25, 0.25}) seats.seat({x, 0.74, z}, mesh);
   }
   return mesh;
 }
 
 // A frame between the wheels, and seats that hang from it back to back with the frame's hangers, feet free.
-Mesh inverted_car(bool leading) {
+Mesh inverted_car(bool leading, CarRiders riders) {
   constexpr double kSeat = -1.68;  // of the hips
   Mesh mesh;
   add_bogies(mesh);
   add_block({-1.10, -0.36, -0.40}, {leading ? 0.90 : 1.10, -0.20, 0.40}, Material::chassis, mesh);
   if (leading) add_ball({0.90, -0.24, 0}, {0.20, 0.14, 0.44}, 16, Material::body, mesh);
-  int rider = 0;
+  RiderRow seats(riders);
   for (const double row : {-0.10, -0.74}) {
     const double x = leading ? row : row + 0.40;
     add_bar({x - 0.26, -0.34, 0}, {x - 0.26, kSeat + 0.86, 0}, 0.09, 0.08, 10, Material::body, 0, true, mesh);
@@ -280,8 +306,7 @@ Mesh inverted_car(bool leading) {
       for (const double side : {-1.0, 1.0})
         add_bar({x - 0.20, kSeat + 0.74, z + 0.14 * side}, {x + 0.20, kSeat + 0.20, z + 0.12 * side}, 0.045, 0.035, 8,
                 Material::stripe, 0, true, mesh);
-      add_rider({x, kSeat, z}, kShirts[rider], kTrousers[rider], mesh);
-      ++rider;
+      seats.seat({x, kSeat, z}, mesh);
     }
   }
   return mesh;
@@ -324,26 +349,23 @@ void add_bucket(double from, double to, Mesh& mesh) {
   for (const double x : {from, to - 0.06}) add_block({x, 0.28, -0.52}, {x + 0.06, 0.90, 0.52}, Material::body, mesh);
 }
 
-Mesh mine_car(bool leading) {
+Mesh mine_car(bool leading, CarRiders riders) {
   Mesh mesh;
   if (leading) add_locomotive(mesh);
   add_block({-1.02, 0.14, -0.34}, {1.02, 0.26, 0.34}, Material::chassis, mesh);
   add_bucket(-1.10, leading ? -0.16 : 1.10, mesh);
   add_bogies(mesh);
-  int rider = 0;
+  RiderRow seats(riders);
   for (const double x : {-0.66, 0.34}) {
     if (leading && x > 0) break;
     add_bench(x, mesh);
-    for (const double z : {-0.25, 0.25}) {
-      add_rider({x, 0.72, z}, kShirts[rider], kTrousers[rider], mesh);
-      ++rider;
-    }
+    for (const double z : {-0.25, 0.25}) seats.seat({x, 0.72, z}, mesh);
   }
   return mesh;
 }
 
 // A low round car; the first one is a dragon.
-Mesh kiddie_car(bool leading) {
+Mesh kiddie_car(bool leading, CarRiders riders) {
   Mesh mesh;
   const BodySection body[] = {{-1.10, 0.30, 0.50, 0.30}, {-1.00, 0.22, 0.66, 0.46}, {-0.80, 0.20, 0.76, 0.56},
                               {0.60, 0.20, 0.76, 0.56},  {0.90, 0.22, 0.72, 0.48},  {1.10, 0.28, 0.60, 0.32}};
@@ -359,28 +381,25 @@ Mesh kiddie_car(bool leading) {
       add_bar({0.72, 0.94, 0.12 * side}, {0.60, 1.12, 0.17 * side}, 0.05, 0.01, 8, Material::stripe, 0, true, mesh);
     }
   }
-  int rider = 0;
+  RiderRow seats(riders);
   for (const double row : {-0.08, -0.70}) {
     const double x = leading ? row : row + 0.36;
     add_ball({x, 0.70, 0}, {0.26, 0.08, 0.46}, 12, Material::seat, mesh);
     add_leaning({x - 0.30, 0.70, -0.03}, {x - 0.16, 0.94, 0.03}, -0.06, Material::stripe, mesh);
-    for (const double z : {-0.26, 0.26}) {
-      add_rider({x, 0.56, z}, kShirts[rider], kTrousers[rider], mesh);
-      ++rider;
-    }
+    for (const double z : {-0.26, 0.26}) seats.seat({x, 0.56, z}, mesh);
   }
   return mesh;
 }
 
 }  // namespace
 
-Mesh car_mesh(world::CoasterKind kind, bool leading) {
+Mesh car_mesh(world::CoasterKind kind, bool leading, CarRiders riders) {
   switch (kind) {
-    case world::CoasterKind::steel: return steel_car(leading);
-    case world::CoasterKind::wooden: return wooden_car(leading);
-    case world::CoasterKind::inverted: return inverted_car(leading);
-    case world::CoasterKind::mine: return mine_car(leading);
-    case world::CoasterKind::kiddie: return kiddie_car(leading);
+    case world::CoasterKind::steel: return steel_car(leading, riders);
+    case world::CoasterKind::wooden: return wooden_car(leading, riders);
+    case world::CoasterKind::inverted: return inverted_car(leading, riders);
+    case world::CoasterKind::mine: return mine_car(leading, riders);
+    case world::CoasterKind::kiddie: return kiddie_car(leading, riders);
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #include "sim/solids/train_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -35,7 +36,8 @@ INSTANTIATE_TEST_SUITE_P(all, TrainMeshOfKind, testing::ValuesIn(test::kinds()),
 
 TEST_P(TrainMeshOfKind, cars_are_closed_and_face_outwards) {
   const world::CoasterKind kind = GetParam();
-  for (const Mesh& mesh : {car_mesh(kind, true), car_mesh(kind, false), coupling_mesh(), distant_car_mesh(kind)}) {
+  for (const Mesh& mesh : {car_mesh(kind, true), car_mesh(kind, false), coupling_mesh(), distant_car_mesh(kind),
+                           car_mesh(kind, true, {1, true}), car_mesh(kind, false, {1, false})}) {
     EXPECT_TRUE(test::finite(mesh));
     EXPECT_EQ(test::wrong_normals(mesh), 0);
     EXPECT_EQ(test::open_edges(mesh), 0);
@@ -127,6 +129,30 @@ TEST(train_mesh, a_coupling_is_a_metre_along_x) {
   EXPECT_NEAR(all.low.x, 0, 1e-6);
   EXPECT_NEAR(all.high.x, 1, 1e-6);
   EXPECT_LT(all.high.y, 0.1f);
+}
+
+// Raised hands stay within what trains need, and well below it nothing else moves.
+TEST_P(TrainMeshOfKind, riders_raise_their_arms_within_the_envelope) {
+  const CoasterForm& form = form_of(GetParam());
+  const Mesh down = car_mesh(GetParam(), false), up = car_mesh(GetParam(), false, {0, true});
+  ASSERT_EQ(down.vertices.size(), up.vertices.size());
+  float raised = 0;
+  for (std::size_t i = 0; i < up.vertices.size(); ++i) {
+    const glm::vec3 a = down.vertices[i].position, b = up.vertices[i].position;
+    if (a == b) continue;
+    raised = std::max(raised, b.y - a.y);
+    ASSERT_LT(std::hypot(b.z, b.y - static_cast<float>(form.riders.lift)), form.riders.radius + 0.01);
+  }
+  EXPECT_GT(raised, 0.6f);
+}
+
+TEST_P(TrainMeshOfKind, the_second_group_wears_other_clothes) {
+  const auto colours = [&](std::uint8_t group) {
+    std::multiset<float> parts;
+    for (const MeshVertex& v : car_mesh(GetParam(), false, {group, false}).vertices) parts.insert(v.part);
+    return parts;
+  };
+  EXPECT_NE(colours(0), colours(1));
 }
 
 }  // namespace train_mesh_test
