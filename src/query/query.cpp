@@ -50,9 +50,9 @@ std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
     for (const std::span<const Query> part :
-         {document_rows(), section_rows(), ride_rows(), simulated_rows(), rider_rows(), session_rows(), setting_rows(),
-          joint_rows(), lab_rows(), element_rows(), force_rows(), game_rows(), draw_rows(), frame_rows(),
-          evaluation_rows()})
+         {document_rows(), section_rows(), park_rows(), ride_rows(), simulated_rows(), rider_rows(), session_rows(),
+          setting_rows(), joint_rows(), lab_rows(), element_rows(), force_rows(), game_rows(), draw_rows(),
+          frame_rows(), evaluation_rows()})
       rows.insert(rows.end(), part.begin(), part.end());
     return rows;
   }();

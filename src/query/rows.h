@@ -17,6 +17,7 @@ namespace coaster::query {
 
 std::span<const Query> document_rows();
 std::span<const Query> section_rows();
+std::span<const Query> park_rows();
 std::span<const Query> ride_rows();
 std::span<const Query> simulated_rows();
 std::span<const Query> rider_rows();

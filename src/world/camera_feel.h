@@ -34,7 +34,7 @@ struct CameraFeel {
               {.query = "head_bob", .kept_as = "head_bob"}),
       setting(&CameraFeel::follow, "camera.follow",
               "Whether the orbit camera follows the open end and the preview when they leave the picture.",
-              {.query = "follow", .kept_as = "follow", .on_for_user = true})};
+              {.query = "follow", .kept_as = "follow", .for_user = 1})};
 };
 
 }  // namespace coaster::world

@@ -81,6 +81,17 @@ void exchange(ColumnEdit<T>& edit, std::vector<T>& column) {
   edit.items = std::move(out);
 }
 
+// Returns the bytes of the tiles, and of their list, that `tiles` does not share with `others`.
+std::size_t own_bytes(const GroundTiles& tiles, const GroundTiles& others) {
+  if (&tiles.map() == &others.map()) return 0;
+  std::size_t bytes = 0;
+  for (const auto& [place, tile] : tiles.map()) {
+    constexpr std::size_t kNode = 64;  // of the list
+    bytes += kNode + (others.find(place) == tile.get() ? 0 : sizeof(GroundTile));
+  }
+  return bytes;
+}
+
 }  // namespace
 
 DocumentDifference difference_of(Document other, const Document& document) {
@@ -102,6 +113,7 @@ DocumentDifference difference_of(Document other, const Document& document) {
   for (std::vector<Entity>* const list : {&other.track.knots, &other.track.segments})
     *list = std::vector<Entity>();  // `= {}` would keep the memory
   difference.rest = std::move(other);
+  difference.tile_bytes = own_bytes(difference.rest.park.tiles, document.park.tiles);
   return difference;
 }
 
@@ -119,11 +131,13 @@ void exchange(DocumentDifference& difference, Document& document) {
   std::swap(difference.rest.entities, document.entities);
   std::swap(difference.rest.track.knots, document.track.knots);
   std::swap(difference.rest.track.segments, document.track.segments);
+  difference.tile_bytes = own_bytes(difference.rest.park.tiles, document.park.tiles);
 }
 
 std::size_t bytes_of(const DocumentDifference& difference) {
   const Document& rest = difference.rest;
-  std::size_t bytes = sizeof(DocumentDifference) + rest.name.capacity() + owned_bytes(rest.extra) +
+  std::size_t bytes = sizeof(DocumentDifference) + difference.tile_bytes + rest.name.capacity() +
+                      owned_bytes(rest.extra) +
                       (rest.track.knots.capacity() + rest.track.segments.capacity()) * sizeof(Entity);
   const auto add = [&]<class T>(const ColumnEdits<T>& edits) {
     bytes += edits.capacity() * sizeof(ColumnEdit<T>);

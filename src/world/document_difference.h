@@ -21,6 +21,7 @@ using ColumnEdits = std::vector<ColumnEdit<T>>;
 struct DocumentDifference {
   Document rest;  // the other document without entities and order
   Entities::ColumnsOf<ColumnEdits> edits;
+  std::size_t tile_bytes = 0;  // of the park's tiles that the two documents do not share
 };
 
 // Returns how `other` differs from `document`, bit by bit, entity slots included. Linear in their size; the size of the

@@ -119,11 +119,27 @@ Broken broken_sections(const Document& document) {
   return {};
 }
 
+Broken broken_park(const Park& park) {
+  if (park.plain()) return park == Park() ? Broken() : "a park without a land";
+  if (!within(park.relief, 0.0, kMaxRelief) || !within(park.woods, 0.0, 1.0) ||
+      !within(park.water, kLowestWater, kHighestWater))
+    return "park beyond the limits";
+  constexpr int kHighest = static_cast<int>(kHighestGround / kHeightStep);
+  for (const auto& [place, tile] : park.tiles.map()) {
+    if (!in_square(place) || tile->empty()) return "a tile of the park outside the square, or one that holds nothing";
+    for (const std::int16_t height : tile->heights)
+      if (height != GroundTile::kSeeded && (height < -kHighest || height > kHighest))
+        return "height of the park beyond the limit";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> broken_invariant(const Document& document) {
   if (!within(document.start_speed, -kMaxSpeed, kMaxSpeed)) return "start speed beyond the limit";
   if (!within(document.datum, -double{kMaxCoordinate}, double{kMaxCoordinate})) return "datum beyond the limit";
+  if (Broken broken = broken_park(document.park)) return broken;
   if (Broken broken = broken_names(document)) return broken;
   if (Broken broken = broken_chain(document)) return broken;
   if (Broken broken = broken_sections(document)) return broken;

@@ -34,6 +34,7 @@ bool operator==(const GroundTiles& a, const GroundTiles& b) {
 }
 
 Park usual_park(Land land, std::uint32_t seed) {
+  if (land == Land::plain) return {};
   const LandRow& row = base::row_of(land);
   return {.land = land, .seed = seed, .woods = row.woods, .water = row.water, .tiles = {}};
 }

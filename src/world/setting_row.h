@@ -16,7 +16,9 @@ struct SettingRow {
   std::string_view unit = {};     // of the number, "m"
   std::string_view query = {};    // name of the query if it differs from `word`
   std::string_view kept_as = {};  // member of the user's settings file; empty: not kept
-  bool on_for_user = false;       // a switch that is on by default for users, whatever a session starts with
+  // Where users have another default than sessions start with: 1 for a switch that is on, else the number of the
+  // enumerator; -1: they have the same.
+  int for_user = -1;
 
   constexpr std::string_view query_name() const { return query.empty() ? word : query; }
 };

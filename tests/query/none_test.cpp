@@ -74,7 +74,8 @@ const Names kOpenEnd{"geometric",   "parametric",  "gap",           "speed_ratio
                      "ride.g_step", "jolt",        "jolt.vertical", "jolt.lateral",     "jolt.longitudinal"};
 const Names kJoint{"geometric_min",      "parametric_min", "weakest_geometric",
                    "weakest_parametric", "roughest_joint", "g_step_max"};
-const Names kTrack{"longest", "deviation", "chord_error", "erratum", "erratum_wrong", "least_radius"};
+const Names kTrack{"longest",       "deviation",    "chord_error",     "erratum",
+                   "erratum_wrong", "least_radius", "ground.clearance"};
 const Names kSpeeds{"section.speed_in", "section.speed_out", "section.g_most", "section.g_least", "section.g_side"};
 // Of a section that is not of forces.
 const Names kForce{"force.asked",  "force.met",       "force.keys",     "force.over",  "force.of",
@@ -85,7 +86,8 @@ const Names kPlan{"element.error", "element.roll_error", "element.jump",   "elem
 const Names kConflict{"conflict.at", "conflict.other"}, kFold{"fold.at", "fold.radius", "tight_bend.at"},
     kFails{"ride.fail", "ride.fail_distance"};
 const Names kJolts{"jolt", "jolt.vertical", "jolt.lateral", "jolt.longitudinal",
-                   "ride.g_step"};  // at knots that the ride does not pass
+                   "ride.g_step"};                                          // at knots that the ride does not pass
+const Names kPark{"park.seed", "park.relief", "park.woods", "park.water"};  // without a land
 const Names kWays{"complete.length", "complete.worst_g", "complete.jolt"};
 
 Names operator+(Names a, const Names& b) {
@@ -166,7 +168,7 @@ class NoneTest : public test::SessionTest {
 TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer) {
   // Whatever the state: an element lacks some parameter, there are fewer than three closing sections, no ride has
   // failed.
-  const Names always = kSeats + kFails + kWays + Names{"element.value"};
+  const Names always = kSeats + kFails + kWays + kPark + Names{"element.value"};
   const Names untouched = kSelection + kChallenge + kResult + kImport + kMeasured;
 
   // An open track of five knots in one section, with two trains that start on its second and its last segment.
@@ -215,6 +217,12 @@ TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer
   draw();
   const Names closed = always + untouched + kConflict + kFold + kPlan + kForce + Names{"section.value", "equipment"};
   expect_none("circuit", closed + Names{"ride.ghost_end"});
+  good("park hills");
+  expect_none("park", (closed - kPark) + Names{"ride.ghost_end"});
+  good("section.earthwork all to none");
+  good("park.water none");
+  expect_none("no water", (closed - kPark) + Names{"ride.ghost_end", "park.water", "section.earthwork"});
+  good("undo"), good("undo"), good("undo");
   good("losses rolling 0.1 drag 0.01");
   expect_none("no lap", closed + kSpeeds + kJolts + Names{"ride.lap_time"});
   good("undo");

@@ -129,6 +129,10 @@ std::string print_value(const HandleTarget& value) {
 std::string print_value(glm::vec3 v) {
   return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
 }
+std::string print_value(glm::vec2 v) { return fmt::format("{} {}", base::to_text(v.x), base::to_text(v.y)); }
+std::string print_value(WaterLevel value) {
+  return value.level == world::kNoWater ? "none" : base::to_text(value.level);
+}
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(world::Colour value) {
   return value.own() ? base::quoted(world::to_text(value)) : world::to_text(value);
@@ -157,6 +161,9 @@ std::string words_of(const KnotsOrSections& value, const world::Document& docume
                           document);
 }
 std::string words_of(glm::vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string words_of(WaterLevel value) {
+  return value.level == world::kNoWater ? "none" : fmt::format("{:.6g} m", value.level);
+}
 std::string words_of(const world::Element& value) { return words_of(value.kind); }
 
 std::string print_value(const Knots& value) { return print_several(value); }
@@ -228,6 +235,17 @@ bool read_value(base::WordReader& words, glm::vec3& value) {
                                    std::pair{2, "a number (z of three)"}})
     if (!read_number(words, what, base::parse_float, value[axis])) return false;
   return true;
+}
+bool read_value(base::WordReader& words, glm::vec2& value) {
+  return read_number(words, "a number (x of x and z)", base::parse_float, value.x) &&
+         read_number(words, "a number (z of x and z)", base::parse_float, value.y);
+}
+bool read_value(base::WordReader& words, WaterLevel& value) {
+  const base::Token* const word = words.peek();
+  const bool none = word && !word->quoted && word->text == "none";
+  if (!none) return read_number(words, "a number, or none", base::parse_double, value.level);
+  value = {};
+  return words.take("none") != nullptr;
 }
 bool read_value(base::WordReader& words, float& value) {
   return read_number(words, "a number", base::parse_float, value);

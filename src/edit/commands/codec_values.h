@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "edit/commands/command.h"
+#include "edit/commands/commands_park.h"
 #include "exchange/own/import_options.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
@@ -35,6 +36,8 @@ std::string print_value(const Phrase& value);
 std::string print_value(const CameraChange& value);
 std::string print_value(const exchange::ImportOptions& value);  // "" for the default
 std::string print_value(glm::vec3 value);
+std::string print_value(glm::vec2 value);
+std::string print_value(WaterLevel value);  // "none" below all land
 std::string print_value(bool value);
 std::string print_value(world::Colour value);  // "\"#d9452f\"", because # begins a comment
 std::string print_value(const std::string& value);
@@ -54,6 +57,8 @@ inline std::string words_of(const Phrase& value) { return value.text; }
 inline std::string words_of(const CameraChange& value) { return print_value(value); }
 inline std::string words_of(const exchange::ImportOptions& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);
+inline std::string words_of(glm::vec2 value) { return fmt::format("({:.6g}, {:.6g})", value.x, value.y); }
+std::string words_of(WaterLevel value);
 std::string words_of(const world::Element& value);
 inline std::string words_of(world::Colour value) { return world::to_text(value); }
 inline std::string words_of(bool value) { return print_value(value); }
@@ -71,6 +76,8 @@ bool read_value(base::WordReader& words, Phrase& value);
 bool read_value(base::WordReader& words, CameraChange& value);             // reads to the end of the line
 bool read_value(base::WordReader& words, exchange::ImportOptions& value);  // reads to the end of the line
 bool read_value(base::WordReader& words, glm::vec3& value);
+bool read_value(base::WordReader& words, glm::vec2& value);  // x and z
+bool read_value(base::WordReader& words, WaterLevel& value);
 bool read_value(base::WordReader& words, float& value);
 bool read_value(base::WordReader& words, double& value);
 bool read_value(base::WordReader& words, int& value);
@@ -92,6 +99,8 @@ inline std::string usage_of(const exchange::ImportOptions&) {
   return "[up x|y|z] [scale NUMBER] [smooth NUMBER] [bank level|auto] [origin]";
 }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
+inline std::string usage_of(glm::vec2) { return "X Z"; }
+inline std::string usage_of(WaterLevel) { return "NUMBER|none"; }
 inline std::string usage_of(world::Colour) { return "\"#d9452f\"|own"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }

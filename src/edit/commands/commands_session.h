@@ -70,7 +70,15 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
+struct NewPark {
+  world::Land land{};
+  std::int64_t seed = 7;
+  COASTER_COMMAND(NewPark, "new.park", "Start an empty track in a park: a land and its seed.", Effect::session, {},
+                  {.replaces = true});
+  COASTER_FIELDS(visit("", self.land), visit("seed?", self.seed))
+};
+
 COASTER_COMMAND_LIST(Session, Undo, Redo, BeginGesture, EndGesture, CancelGesture, LoadTrack, Save, CopyLink,
-                     RecoverTrack, NewTrack);
+                     RecoverTrack, NewTrack, NewPark);
 
 }  // namespace coaster::edit

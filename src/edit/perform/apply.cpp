@@ -30,6 +30,8 @@ template <class T>
 bool finite(const T& value) {
   if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
   else if constexpr (std::is_same_v<T, glm::vec3>) return finite(value.x) && finite(value.y) && finite(value.z);
+  else if constexpr (std::is_same_v<T, glm::vec2>) return finite(value.x) && finite(value.y);
+  else if constexpr (requires { value.level; }) return finite(value.level);
   else if constexpr (std::is_same_v<T, world::Element>) return std::ranges::all_of(value.values, finite<double>);
   else if constexpr (requires { value.has_value(); }) return !value || finite(*value);
   else if constexpr (requires { T::fields(value, [](std::string_view, const auto&) {}); }) {

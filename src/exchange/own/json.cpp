@@ -211,7 +211,9 @@ std::string describe(const Json& value) {
   return clipped(value.dump(-1, ' ', true, Json::error_handler_t::replace), kClip);
 }
 
-std::string JsonLocation::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
+std::string JsonLocation::text() const {
+  return index == kAnyNumber ? std::string(list) : fmt::format("{}[{}]", list, index);
+}
 
 JsonFieldReader::JsonFieldReader(const Json& value, JsonLocation place, std::string& error)
     : place_(place), error_(error) {

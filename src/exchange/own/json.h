@@ -56,10 +56,11 @@ std::string describe(const Json& value);
 
 inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();  // of entries of a list
 
-// The object within the file: "" is the file itself, otherwise entry `index` of a list: "knots[3]".
+// The object within the file: "" is the file itself, otherwise entry `index` of a list, "knots[3]", or without an index
+// a member, "park".
 struct JsonLocation {
   std::string_view list;
-  std::size_t index = 0;
+  std::size_t index = kAnyNumber;
   std::string text() const;
 };
 
@@ -100,6 +101,7 @@ class JsonFieldReader {
   }
   // Returns the object of that name, or null after a failure.
   const Json* object(std::string_view member);
+  void leave(std::string_view member) { std::erase(known_, member); }  // counts it as unknown, although it was read
   // Returns the array of that name, or null after a failure; more than `most` entries are a failure.
   const Json* list(std::string_view member, std::size_t most = kAnyNumber);
 

@@ -193,7 +193,8 @@ void keep_others(const Json& tree, LoadedSettings& loaded) {
 
 UserSettings::UserSettings() {
   world::for_each_setting([&]<auto Setting>() {
-    if constexpr (world::setting_row<Setting>().on_for_user) world::value_in<Setting>(session) = true;
+    constexpr int kForUser = world::setting_row<Setting>().for_user;
+    if constexpr (kForUser >= 0) world::value_in<Setting>(session) = static_cast<world::ValueOf<Setting>>(kForUser);
   });
 }
 

@@ -19,7 +19,7 @@ namespace coaster::exchange {
 
 inline constexpr std::string_view kTrackFormat = "coaster-track";
 // The newest version. 1: without spins, which become automatic. 1 and 2: without sections, so that all is one free
-// section. 4: with a coaster's kind or paint.
+// section. 4: with a coaster's kind or paint, a park, or a section's earthwork.
 inline constexpr int kTrackVersion = 4;
 // Returns the oldest version that holds the document, in which it is written: 3 or 4.
 int version_of(const world::Document& document);

@@ -16,6 +16,7 @@
 
 #include "base/text.h"
 #include "exchange/own/json.h"
+#include "exchange/own/park_member.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
 #include "world/element_rows.h"
@@ -340,6 +341,7 @@ bool read_section(TrackParse& parse, JsonFieldReader& fields, std::size_t& first
       !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
     return false;
   if (!read_component(parse, fields, section.paint)) return false;
+  if (fields.has("earthwork") && !fields.named("earthwork", section.earthwork)) return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
   return keep(parse, fields, e, std::move(section));
 }
@@ -372,7 +374,8 @@ bool read_track_head(TrackParse& parse, JsonFieldReader& fields) {
     document.name = std::string(base::utf8_start(document.name, world::kMaxNameBytes));
     parse.warnings.push_back(fmt::format("name: cut to {} bytes", world::kMaxNameBytes));
   }
-  return fields.flag("closed", document.track.closed) && read_component(parse, fields, document);
+  return fields.flag("closed", document.track.closed) && read_component(parse, fields, document) &&
+         read_park(fields, document.park, parse.warnings);
 }
 
 using ReadElement = bool (*)(TrackParse& parse, const Json& value, std::size_t index);

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "exchange/own/json.h"
+#include "exchange/own/park_member.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
 #include "world/sections.h"
@@ -139,6 +140,8 @@ std::string section_line(const Document& document, const world::SectionRun& run)
   if (section.kind == world::SectionKind::complete) text += members(document, section.closing);
   if (section.kind == world::SectionKind::force) text += members(document, section.force) + force_keys(section.force);
   text += members(document, section.paint);
+  if (section.earthwork != world::Earthwork{})
+    text += fmt::format(", \"earthwork\": \"{}\"", base::name_of(section.earthwork));
   return entity_line(document, run.section, std::move(text));
 }
 
@@ -163,7 +166,9 @@ std::string print_keys(const CopiedForceKeys& copied) {
 int version_of(const Document& document) {
   const auto& sections = document.entities.pool<world::Section>().items();
   const bool plain = document.kind == world::CoasterKind{} && document.paint == world::Paint{} &&
-                     std::ranges::all_of(sections, [](const world::Section& s) { return s.paint == world::Paint{}; });
+                     document.park.plain() && std::ranges::all_of(sections, [](const world::Section& s) {
+                       return s.paint == world::Paint{} && s.earthwork == world::Earthwork{};
+                     });
   return plain ? 3 : kTrackVersion;
 }
 
@@ -171,6 +176,7 @@ std::string print_track(const Document& document) {
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",
                                 kTrackFormat, version_of(document), json_string(document.name), document.track.closed,
                                 members(document, document, ",\n  "));
+  if (!document.park.plain()) out += ",\n  \"park\": " + park_member(document.park);
   print_list(out, "knots", document, document.track.knots, component_line<world::Knot>);
   print_list(out, "segments", document, document.track.segments, segment_line);
   print_list(out, "sections", document, world::sections_of(document), section_line);

@@ -48,7 +48,7 @@ template <class Command>
 void emit(ActionContext& act) {
   act.ui.emit(Command{});
 }
-void start_empty(ActionContext& act) { act.ui.replace(edit::NewTrack{}); }
+void start_empty(ActionContext& act) { act.ui.replace(act.ui.new_track()); }
 template <PictureRequest wish>
 void photo(ActionContext& act) {
   act.ui.out.photo = wish;
@@ -314,6 +314,8 @@ void next_snapping(ActionContext& act) {
 void escape(ActionContext& act) {
   if (cancel_drags(act) || act.ui.state.job.progress) return;  // the job's card takes it
   if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
+  else if (act.ui.session().settings.aids->brush != world::Brush::off)
+    act.ui.emit(edit::Set<&EditingAids::brush>{world::Brush::off});
   else if (on<&EditingAids::append_mode>(act)) toggle<&EditingAids::append_mode>(act);
   else if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&EditingAids::circuit>{0});
   else if (on<&EditingAids::show_element>(act)) toggle<&EditingAids::show_element>(act);
@@ -414,7 +416,9 @@ constexpr Action kEditActions[] = {
      set_goal, kAnySelected},
 
     {"Cancel", "", key(Key::escape), kInDrag,
-     "Cancel a drag, close the score card, end append mode, hide the preview, or clear the selection.", escape},
+     "Cancel a drag, close the score card, lay the brush away, end append mode, hide the preview, or clear the "
+     "selection.",
+     escape},
 };
 
 }  // namespace

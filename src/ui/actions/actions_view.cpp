@@ -20,6 +20,7 @@ using world::EditingAids;
 using world::Layer;
 using world::Panels;
 using world::Projection;
+using world::Scenery;
 using world::Style;
 using world::Theme;
 using world::Workspace;
@@ -208,8 +209,15 @@ constexpr Action kViewActions[] = {
                                                        "White and bright colours on black, with outlines."),
     choosing<&Appearance::style, Style::day>("Day", "View/Appearance", "High sun, clear sky."),
     choosing<&Appearance::style, Style::dusk>("Dusk", "View/Appearance", "Low sun, long shadows."),
+    choosing<&Appearance::style, Style::night>("Night", "View/Appearance", "Moonlight, stars and lamps."),
     choosing<&Appearance::style, Style::blueprint>("Blueprint", "View/Appearance",
                                                    "Lines on blue, for the laboratory and for print."),
+    choosing<&Appearance::scenery, Scenery::plain>("Plain scenery", "View/Scenery",
+                                                   "Land and flat water, no trees: for measuring and for print."),
+    choosing<&Appearance::scenery, Scenery::park>("Park scenery", "View/Scenery",
+                                                  "Trees, water, and soft light from all sides."),
+    choosing<&Appearance::scenery, Scenery::rich>(
+        "Rich scenery", "View/Scenery", "The same with more trees and grass near the eye, for fast graphics cards."),
     {"Next track colours", "View", key(Key::k), 0,
      "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},

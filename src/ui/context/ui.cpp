@@ -2,14 +2,30 @@
 
 #include <imgui.h>
 
+#include "base/hash.h"
 #include "edit/commands/commands_session.h"
 #include "edit/session/session.h"
 #include "ui/widgets/theme.h"
+#include "world/aid_settings.h"
 
 namespace coaster::ui {
 
 void Ui::begin_step() { emit(edit::BeginGesture{}); }
 void Ui::end_step() { emit(edit::EndGesture{}); }
+
+edit::Command Ui::new_track() const {
+  const world::Land land = session().settings.aids->new_land;
+  if (land == world::Land::plain) return edit::NewTrack{};
+  return edit::NewPark{land, random_seed(*this)};
+}
+
+std::uint32_t random_seed(const Ui& ui) {
+  constexpr std::uint64_t kMost = 9999;  // short enough to be told to others
+  base::Hasher hasher;
+  hasher.add(ui.state.seconds);
+  hasher.add(ui.session().document.park.seed);
+  return static_cast<std::uint32_t>(1 + hasher.digest() % kMost);
+}
 
 void build_area(Ui& ui, const view::Viewport& area, const WindowArea& look, const std::function<void()>& content) {
   if (area.width < 1 || area.height < 1) return;

@@ -119,6 +119,7 @@ struct Ui : WidgetFrame {
   }
   // Runs a command that replaces the track, or first asks about unsaved changes.
   void replace(edit::Command command) { want = {ScreenRequest::Kind::replace, std::move(command)}; }
+  edit::Command new_track() const;  // an empty one, on the land that the user wants for new tracks
   // Calls emit_one for each, as one undo step; a drag is one already.
   template <class List, class EmitOne>
   void emit_each(const List& all, const EmitOne& emit_one) {
@@ -130,6 +131,9 @@ struct Ui : WidgetFrame {
   void begin_step();
   void end_step();
 };
+
+// Returns a seed for a land: another one each time.
+std::uint32_t random_seed(const Ui& ui);
 
 // A part of the window: a window over it that cannot be moved.
 struct WindowArea {

@@ -360,6 +360,7 @@ bool Host::input_waits() const {
 double Host::still_for(double seconds) const {
   constexpr double kBlink = 0.1, kList = 1, kLong = 1e9;  // s
   ImGui::SetCurrentContext(parts_->context);
+  if (parts_->tool.painting()) return 0;  // a brush works as long as it is held
   return std::min({parts_->toasts.still_for(seconds), text_has_keyboard() ? kBlink : kLong,
                    parts_->dialogs.open() ? kList : kLong});
 }

@@ -27,6 +27,7 @@ void ride_panel(Ui& ui);
 void camera_panel(Ui& ui);
 void operation_panel(Ui& ui);
 void coaster_panel(Ui& ui);
+void park_panel(Ui& ui);
 void elements_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 void history_panel(Ui& ui);
@@ -48,6 +49,8 @@ std::span<const Panel> panels() {
             "Straights, curves, helices, hills and inversions to place at the open end of the track.", elements_panel},
       Panel{"Operation", PanelColumn::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
       Panel{"Coaster", PanelColumn::left, kTrack, "The kind of coaster and its colours.", coaster_panel},
+      Panel{"Park", PanelColumn::left, kTrack, "The land around the coaster, and brushes that shape it.", park_panel,
+            false},
       Panel{"Challenge", PanelColumn::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
             challenge_panel, true, challenge_shown},
       Panel{"Evaluation", PanelColumn::right, kLaboratory,

@@ -280,6 +280,7 @@ void section_panel(Ui& ui) {
   section_buttons(ui, chosen);
   if (chosen.single()) section_figures_rows(ui, chosen);
   section_paint(ui, chosen);
+  section_earthwork(ui, chosen);
   ImGui::PopID();
 }
 

@@ -42,6 +42,8 @@ std::string_view refusal_of(const Ui& ui, world::EntityName section, std::string
 
 // Shows the paint of the selected sections, in the Section panel.
 void section_paint(Ui& ui, const SelectedSections& chosen);
+// Shows what is done to the land where they run below it, if there is a land.
+void section_earthwork(Ui& ui, const SelectedSections& chosen);
 
 // Builds the table of sections over `area`, in Build.
 void build_sections_table(Ui& ui, const view::Viewport& area);

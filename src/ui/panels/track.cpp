@@ -166,7 +166,7 @@ void file(Ui& ui) {
   const auto pressed = [&](std::string_view label, std::string_view help) {
     return button(ui, label, with_keys(ui.keys, help, label), true, width);
   };
-  if (pressed("New", "Start an empty track.")) ui.replace(edit::NewTrack{});
+  if (pressed("New", "Start an empty track.")) ui.replace(ui.new_track());
   ImGui::SameLine();
   if (pressed("Open", "Choose a track file to open.")) ui.want = {ScreenRequest::Kind::browse};
   ImGui::SameLine();

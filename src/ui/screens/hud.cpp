@@ -201,6 +201,9 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
                        tool.transform().status(), keys.shown("Cancel"));
   if (tool.box_waits())
     return fmt::format("Drag a box around knots. Shift adds, Ctrl removes, {} cancels.", keys.shown("Cancel"));
+  if (GroundBrush::chosen(session))
+    return fmt::format("{} The wheel sets the size, with Ctrl it zooms; {} leaves.",
+                       base::row_of(session.settings.aids->brush).help, keys.shown("Cancel"));
   const bool empty = session.document.track.knots.empty();
   if (empty && session.settings.aids->show_element && !session.settings.aids->append_mode)
     return fmt::format("{} places the element, {} hides its preview", keys.shown("Place element"),

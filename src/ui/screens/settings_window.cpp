@@ -33,6 +33,8 @@ void look(Ui& ui) {
   scale(ui);
   setting_list<&world::Appearance::theme>(ui, "Theme", "Colours of the panels.");
   setting_list<&world::Appearance::style>(ui, "Scene", "Light, sky and ground.");
+  setting_list<&world::Appearance::scenery>(ui, "Scenery", "How much of the surroundings is drawn.");
+  setting_list<&world::EditingAids::new_land>(ui, "New tracks", "The land that new tracks begin on. Plain: no park.");
   setting_list<&world::Appearance::units>(ui, "Units", "Units of lengths and speeds. Files and scripts stay metric.");
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * ui.session().settings.look->sound)), 0,

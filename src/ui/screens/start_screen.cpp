@@ -66,7 +66,7 @@ void StartScreen::build_choices(Ui& ui, float width) {
              !last.empty() && std::filesystem::exists(last, ignored), width))
     ui.replace(edit::LoadTrack{last.string()});
   choice("New track", "Start an empty track. Click on the ground to place knots.", "New",
-         {ScreenRequest::Kind::replace, edit::NewTrack{}});
+         {ScreenRequest::Kind::replace, ui.new_track()});
   choice("Open or import", "Open a track, or import one of NoLimits or openFVD (.csv, .nltrack, .nl2elem, .fvd).",
          "Open", {ScreenRequest::Kind::browse});
   choice("Tutorial", "Build and ride your first coaster, step by step.", "", {ScreenRequest::Kind::tutorial});

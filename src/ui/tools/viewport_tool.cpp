@@ -107,12 +107,15 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
     cancel(ui);
 
   const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
+  const bool brushes = GroundBrush::chosen(session);
+  if ((brushes && !dragging()) || brush_.painting()) brush_.update(ui, view, over);
+  if (brush_.painting()) return {};
   view::Pick under;
   if (over && !dragging()) {
-    under = under_mouse(ui, view);
-    press(ui, view, under);
+    if (!brushes) under = under_mouse(ui, view);
+    if (!brushes || io.KeyAlt || !io.MouseClicked[ImGuiMouseButton_Left]) press(ui, view, under);
   }
-  const bool turned = over && io.MouseWheel != 0;
+  const bool turned = over && io.MouseWheel != 0 && (!brushes || io.KeyCtrl);
   if (turned) turn_wheel(ui, view, io.MouseWheel);
   if (!dragging()) return under;
 
@@ -124,7 +127,7 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
 }
 
 bool ViewportTool::cancel(Ui& ui) {
-  if (transform_.cancel(ui)) return true;
+  if (transform_.cancel(ui) || brush_.cancel(ui)) return true;
   if (box_waits_ && drag_.what == DragTarget::nothing) return box_waits_ = false, true;
   if (!dragging()) return false;
   if (drag_.gesture) ui.emit(edit::CancelGesture{});

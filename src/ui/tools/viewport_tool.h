@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "ui/context/ui.h"
+#include "ui/tools/ground_brush.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/transform_tool.h"
 #include "view/pick.h"
@@ -18,7 +19,8 @@ class ViewportTool {
   // Reads the mouse from ImGui, emits commands, and returns the item under the cursor (or the dragged one). Call it
   // after the panels.
   view::Pick update(Ui& ui, const view::View& view);
-  bool dragging() const { return drag_.what != DragTarget::nothing || transform_.active(); }
+  bool dragging() const { return drag_.what != DragTarget::nothing || transform_.active() || brush_.painting(); }
+  bool painting() const { return brush_.painting(); }
   TransformTool& transform() { return transform_; }
   const TransformTool& transform() const { return transform_; }
   // The next left drag draws a box that selects the knots in it.
@@ -65,6 +67,7 @@ class ViewportTool {
 
   Drag drag_;
   TransformTool transform_;
+  GroundBrush brush_;
   std::optional<view::Pick> in_front_;              // in front of the pressed part of the gizmo: a click selects it
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };

@@ -1,0 +1,39 @@
+// The brush of the ground: a ring under the mouse, and strokes while the left button is held.
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "ui/context/ui.h"
+#include "view/camera.h"
+
+namespace coaster::ui {
+
+class GroundBrush {
+ public:
+  // True if a brush is chosen and there is a land to work on.
+  static bool chosen(const edit::Session& session);
+  // Draws the ring, takes the wheel for its size, and emits the commands of a stroke, which is one undo step. `over`:
+  // the mouse is over the scene. Call it each frame while a brush is chosen or a stroke goes on.
+  void update(Ui& ui, const view::View& view, bool over);
+  bool painting() const { return stroke_.has_value(); }
+  // Reverts the stroke. Returns false if there was none.
+  bool cancel(Ui& ui);
+
+ private:
+  struct Stroke {
+    glm::vec2 first{0}, last{0};  // m, (x, z): where it began, and its last dab
+    double height = 0;            // m, of the land where it began
+    double due = 0;               // s, until the next dab
+    bool gesture = false;         // BeginGesture was emitted
+  };
+  void begin(Ui& ui, glm::vec2 at);
+  void paint(Ui& ui, glm::vec2 at);
+  void dab(Ui& ui, glm::vec2 at);
+  void end(Ui& ui, std::optional<glm::vec2> at);
+
+  std::optional<Stroke> stroke_;
+};
+
+}  // namespace coaster::ui
