@@ -1,5 +1,5 @@
 // Painted steel in sun and sky light, or the flat faces of the blueprint style; with OUTLINE its outlines. The ground
-// hides solids on its other side.
+// hides solids on its other side; in a park its depth does.
 uniform vec3 eye;
 uniform int colouring;     // 1: rails and spine by the segment's values
 uniform sampler2D values;  // 32 per segment, uniform in arc length; 32 segments per row; over 1e38: unknown
@@ -59,7 +59,9 @@ vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
 }
 
 void main() {
+#ifndef PARK
   if (world.y * eye.y < 0.0) discard;
+#endif
   int part = int(material + 0.5);
   vec3 normal = normalize(facing), to_eye = eye - world;
   float metres = length(to_eye);
