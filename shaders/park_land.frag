@@ -5,7 +5,7 @@ uniform int track_taps, train_taps;          // 1 where the map may shade this p
 uniform vec2 cast_heights;                   // m, the lowest that a map distinguishes, and its range
 in vec3 shaded, sunny, before;
 in float facing;
-in vec2 place;
+in vec3 place;
 #ifdef BLUEPRINT
 in float height;
 #endif
@@ -29,7 +29,7 @@ void main() {
                    1.0 - smoothstep(0.6, 1.5, ten));
   colour = vec4(encode(mix(air.ground.rgb, air.grid.rgb, air.grid.w * line)), 1.0);
 #else
-  vec2 rough = texture(grain, place).rg;
+  vec2 rough = mix(vec2(0.5), texture(grain, place.xy).rg, place.z);
   float shade = 0.0;
   for (int i = 0; i < track_taps; ++i) shade = cover(track_cover, track_at);
   for (int i = 0; i < train_taps; ++i) shade = max(shade, cover(train_cover, train_at));

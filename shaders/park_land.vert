@@ -12,7 +12,7 @@ out vec3 shaded;   // light without the sun, behind the air
 out vec3 sunny;    // what the sun adds where it meets the land at a right angle
 out vec3 before;   // light of the air
 out float facing;  // cosine between normal and sun
-out vec2 place;    // of the grain
+out vec3 place;    // of the grain; z: how much of it shows
 #ifdef BLUEPRINT
 out float height;  // m over the water
 #endif
@@ -30,7 +30,7 @@ void main() {
   sunny = own * air.sun_light.rgb * baked.x;
   before = air_here.rgb;
   facing = dot(normal.xyz, air.sun.xyz);
-  place = position.xz / 11.0;
+  place = vec3(position.xz / 11.0, 1.0 - 0.7 * smoothstep(60.0, 260.0, distance(position, eye)));
 #ifdef BLUEPRINT
   height = position.y;
 #endif

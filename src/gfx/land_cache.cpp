@@ -15,6 +15,8 @@ void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, 
   gl.VertexAttribPointer(location, components, type, GL_TRUE, GLsizei(stride), reinterpret_cast<const void*>(offset));
 }
 
+}  // namespace
+
 void land_attributes(const Gl& gl, GLuint buffer, std::size_t first) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
   const std::size_t offset = first * sizeof(LandVertex);
@@ -23,7 +25,10 @@ void land_attributes(const Gl& gl, GLuint buffer, std::size_t first) {
   byte_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, sizeof(LandVertex), offset + offsetof(LandVertex, paint));
 }
 
-}  // namespace
+void light_attribute(const Gl& gl, GLuint buffer, std::size_t first) {
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  byte_attribute(gl, 3, 2, GL_UNSIGNED_BYTE, sizeof(LandLight), first * sizeof(LandLight));
+}
 
 void LandCache::make_shared() {
   std::vector<std::uint16_t> all;
@@ -45,8 +50,7 @@ void LandCache::link() {
     if (held_[i].array.id() == 0) held_[i].array = make_vertex_array(gl);
     gl.BindVertexArray(held_[i].array.id());
     land_attributes(gl, vertices_.id(), i * kPatchVertices);
-    gl.BindBuffer(GL_ARRAY_BUFFER, light_.id());
-    byte_attribute(gl, 3, 2, GL_UNSIGNED_BYTE, sizeof(LandLight), i * kPatchVertices * sizeof(LandLight));
+    light_attribute(gl, light_.id(), i * kPatchVertices);
   }
   gl.BindVertexArray(0);
 }

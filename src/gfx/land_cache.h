@@ -15,6 +15,10 @@
 
 namespace coaster::gfx {
 
+// Set attributes 0 to 2, and 3, of the bound vertex array from a buffer, from a vertex on.
+void land_attributes(const Gl& gl, GLuint buffer, std::size_t first);
+void light_attribute(const Gl& gl, GLuint buffer, std::size_t first);
+
 class LandCache {
  public:
   explicit LandCache(const Gl& gl)

@@ -24,9 +24,17 @@ class ParkPasses {
   // What casts shadows besides track and trains. Valid as long as `pass`.
   SunShadows::ParkCasters casters(const PassContext& pass) const;
 
+  // Draws land, tunnels and plants, before track and trains; then water and lamps, after them and the sky.
   void draw_land(const PassContext& pass, const SunShadows& shadows) const;
+  void draw_water(const PassContext& pass, const SunShadows& shadows) const;
 
  private:
+  void upload_lamps(const Scene& scene, const SceneStyle& style);
+  void draw_patches(const PassContext& pass, const SunShadows& shadows, const ShaderProgram& program, bool water) const;
+  void draw_fixtures(const PassContext& pass, const ShaderProgram& program) const;
+  void draw_plants(const PassContext& pass, const SunShadows& shadows) const;
+  void draw_lamps(const PassContext& pass) const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

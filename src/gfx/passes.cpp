@@ -12,6 +12,7 @@
 
 #include "gfx/shader_sources.h"
 #include "gfx/sun_shadows.h"
+#include "sim/ground/ground.h"
 #include "sim/solids/materials.h"
 #include "sim/solids/track_mesh.h"
 #include "view/colour_map.h"
@@ -44,6 +45,11 @@ base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) 
       {"park_shadow", "#define PARK\n#define SHADOW\n", "", mesh_vert(), shadow_frag()},
       {"land", "", park_air_glsl(), park_land_vert(), park_land_frag()},
       {"land_drawing", "#define BLUEPRINT\n", park_air_glsl(), park_land_vert(), park_land_frag()},
+      {"plant", "", park_air_glsl(), park_plant_vert(), park_plant_frag()},
+      {"plant_shadow", "#define PARK\n#define SHADOW\n", "", park_plant_vert(), shadow_frag()},
+      {"water", "", park_air_glsl(), park_water_vert(), park_water_frag()},
+      {"lamp", "", "", park_lamp_vert(), park_lamp_frag()},
+      {"lamp_streak", "#define STREAK\n", "", park_lamp_vert(), park_lamp_frag()},
   }};
   const Row& row = rows[index];
   const std::string common = row.defines + std::string(common_glsl()) + std::string(row.shared);
@@ -235,6 +241,13 @@ void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const T
   set_colouring(pass, program);
   set_materials(pass, program, paint);
   shadows.bind(program);
+  if (pass.park) {
+    program.set("lamp_map", kLampUnit);
+    program.set("lamps", pass.lit ? 1 : 0);
+    program.set("lamp_square",
+                static_cast<float>(pass.scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell));
+    program.set("cast_heights", pass.cast_heights);
+  }
   draw_track(pass, track);
   draw_carts(pass, instances);
 }

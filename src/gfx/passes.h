@@ -34,9 +34,14 @@ enum class SceneProgram {
   park_outline,
   park_shadow,
   land,
-  land_drawing
+  land_drawing,
+  plant,
+  plant_shadow,
+  water,
+  lamp,
+  lamp_streak
 };
-inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::land_drawing) + 1;
+inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::lamp_streak) + 1;
 
 // Compiles each program when it is first used: few pictures use all, and Mesa takes some 70 ms for them.
 class ScenePrograms {
@@ -65,6 +70,7 @@ struct PassContext {
   GLuint no_attributes;  // a vertex array without attributes
   DrawStats& stats;
   bool park = false;          // the scene has a land
+  bool lit = false;           // lamps of a park shine
   glm::vec2 cast_heights{0};  // m, of a park: the lowest height that shadow maps tell apart, and their range
 
   // Returns the program, in use; an empty one if no pixels are drawn.
@@ -79,7 +85,8 @@ struct PassContext {
 };
 
 // Texture units.
-inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3, kPaintUnit = 5, kGrainUnit = 6;
+inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3, kPaintUnit = 5, kGrainUnit = 6,
+                     kLampUnit = 7;
 
 // Lets the buffers of very long tracks hold in full what the view can show, from now on.
 void choose_levels(const Scene& scene, TrackCache& track);

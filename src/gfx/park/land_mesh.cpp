@@ -52,22 +52,23 @@ float open_sky(const LandField& field, int x, int z) {
   return open / 8;
 }
 
-// Marches towards the sun: how much of its light reaches a vertex, softer with the distance of what hides it.
-float sunlight(const LandField& field, int x, int z, glm::vec3 sun, float highest) {
+// Marches towards the sun from a place, with x and z in cells: how much of its light arrives, softer with the distance
+// of what hides it.
+float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float highest, bool with_crowns) {
   const float level = std::sqrt(sun.x * sun.x + sun.z * sun.z);
   if (level < 1e-3f || sun.y <= 0) return 1;
-  const float start = field.height(x, z) + 0.2f, rise = sun.y / level;
+  const float start = from.y, rise = sun.y / level;
   const glm::vec2 way = glm::vec2(sun.x, sun.z) / (level * kCell);  // cells per metre
   float run = 0, lit = 1, crowns = 0;
   for (int i = 0; i < 64 && lit > 0; ++i) {
     run += kCell * (1 + 0.06f * static_cast<float>(i));
     const float ray = start + rise * run;
     if (ray > highest + 7 || run > kSunReach) break;
-    const std::size_t at = field.at(static_cast<int>(std::lround(static_cast<float>(x) + run * way.x)),
-                                    static_cast<int>(std::lround(static_cast<float>(z) + run * way.y)));
+    const std::size_t at = field.at(static_cast<int>(std::lround(from.x + run * way.x)),
+                                    static_cast<int>(std::lround(from.z + run * way.y)));
     const float over = ray - field.heights[at], wood = static_cast<float>(field.wood[at]) / 255;
     lit = std::min(lit, glm::clamp(0.5f + over / (0.6f + 0.05f * run), 0.0f, 1.0f));
-    if (wood > 0.2f && over < kCrownReach) crowns += 0.22f * wood * (over < 1 ? 0.3f : 1.0f);
+    if (with_crowns && wood > 0.2f && over < kCrownReach) crowns += 0.22f * wood * (over < 1 ? 0.3f : 1.0f);
   }
   return std::max(lit - std::min(crowns, 0.75f), 0.0f);
 }
@@ -105,6 +106,12 @@ LandLight LandMesh::light_at(double x, double z) const {
   const int px = std::min(column / kCells, tiles - 1), pz = std::min(row / kCells, tiles - 1);
   const LandPatch& patch = patches_[static_cast<std::size_t>(pz * tiles + px)];
   return patch.light[static_cast<std::size_t>((row - pz * kCells) * LandPatch::kSide + column - px * kCells)];
+}
+
+float LandMesh::sun_over(glm::vec3 place) const {
+  if (!sun_shines_ || patches_.empty()) return 1;
+  const float half = 0.5f * static_cast<float>(field_.across);
+  return sunlight(field_, {place.x / kCell + half, place.y, place.z / kCell + half}, sun_, highest_, false);
 }
 
 void LandMesh::reset(const sim::Ground& ground) {
@@ -315,7 +322,8 @@ void LandMesh::bake(std::size_t patch) {
     for (int x = all.x0; x <= all.x1; ++x) {
       const auto i = static_cast<std::size_t>((z - all.z0) * LandPatch::kSide + x - all.x0);
       LandLight& light = made.light[i];
-      light.sun = sun_shines_ ? byte_of(sunlight(field_, x, z, sun_, highest_)) : 255;
+      light.sun =
+          sun_shines_ ? byte_of(sunlight(field_, {x, field_.height(x, z) + 0.2f, z}, sun_, highest_, true)) : 255;
       float sum = 0;
       const std::array<std::int8_t, 4>& n = made.vertices[i].normal;
       const glm::vec3 normal = glm::vec3(n[0], n[1], n[2]) / 127.0f;

@@ -68,6 +68,8 @@ class LandMesh {
   std::uint64_t reset_build() const { return reset_; }  // a new number when all patches are new
   // Returns how much sun and lamps reach a place, from the nearest vertex.
   LandLight light_at(double x, double z) const;
+  // Returns how much of the sun reaches a place over the land, 0..1, past hills but not past crowns.
+  float sun_over(glm::vec3 place) const;
 
  private:
   struct Key {
