@@ -8,5 +8,9 @@ void main() {
   vec2 corner = corners[gl_VertexID];
   across = corner;
   direction = forward + corner.x * right + corner.y * up;
+#ifdef BEHIND
+  gl_Position = vec4(corner, 0.999999, 1.0);  // behind everything
+#else
   gl_Position = vec4(corner, 0.0, 1.0);  // depth 0.5
+#endif
 }

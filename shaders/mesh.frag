@@ -1,5 +1,5 @@
 // Painted steel in sun and sky light, or the flat faces of the blueprint style; with OUTLINE its outlines. The ground
-// hides solids on its other side.
+// hides solids on its other side; in a park its depth does.
 uniform vec3 eye;
 uniform int colouring;     // 1: rails and spine by the segment's values
 uniform sampler2D values;  // 32 per segment, uniform in arc length; 32 segments per row; over 1e38: unknown
@@ -9,6 +9,12 @@ uniform vec3 unknown;
 uniform vec4 materials[23];        // by sim::Material: paint (sRGB); w: how much of the surface is varnish
 uniform int own_paints;            // 1: some sections have paint of their own
 uniform sampler2D section_paints;  // 4 per segment: rails, spine, supports, none; alpha 1: its own; 32 segments per row
+#ifdef PARK
+uniform sampler2D lamp_map;  // from above: r: half the light of lamps, g: their height
+uniform int lamps;           // 1: they shine
+uniform float lamp_square;   // m, side of the map, about the origin
+uniform vec2 cast_heights;   // m, the lowest height, and the range
+#endif
 in vec3 world;
 in vec3 facing;
 flat in float material;
@@ -59,7 +65,9 @@ vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
 }
 
 void main() {
+#ifndef PARK
   if (world.y * eye.y < 0.0) discard;
+#endif
   int part = int(material + 0.5);
   vec3 normal = normalize(facing), to_eye = eye - world;
   float metres = length(to_eye);
@@ -80,6 +88,13 @@ void main() {
   } else {
     light = lit(own, materials[clamp(part, 0, 22)].w, sun, normal, to_eye);
     if (part == 4) light += air.ground_light.w * own;
+#ifdef PARK
+    for (int i = 0; i < lamps; ++i) {
+      vec2 there = textureLod(lamp_map, world.xz / lamp_square + 0.5, 0.0).rg;
+      float over = (world.y - cast_heights.x - there.g * cast_heights.y) / 7.0;
+      light += own * vec3(1.0, 0.62, 0.30) * (1.5 * there.r / (1.0 + over * over));
+    }
+#endif
   }
 #endif
   light = mix(light, mist(-to_eye), (by_value ? 0.45 : 0.9) * fog(metres, eye.y));

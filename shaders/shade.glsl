@@ -72,7 +72,9 @@ float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, 
 }
 
 float sun_reaches(vec3 world, vec3 normal) {
+#ifndef PARK
   if (world.y < 0.0) return 1.0;
+#endif
   return min(reached(track_depth, track_light, track_texel, world, normal),
              reached(train_depth, train_light, train_texel, world, normal));
 }

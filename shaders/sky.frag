@@ -22,10 +22,20 @@ float clouds(vec3 sight) {
   return air.middle.w * smoothstep(-0.05, 0.6, billows) * smoothstep(0.04, 0.3, sight.y);
 }
 
+// A point of light in some of the cells of a cube around the eye.
+vec3 stars(vec3 sight) {
+  vec3 at = 190.0 * sight;
+  ivec3 cell = ivec3(floor(at));
+  float lit = step(0.994, random(ivec2(cell.x + 517 * cell.z, cell.y)));
+  vec3 from = fract(at) - 0.5;
+  return lit * vec3(0.8, 0.85, 1.0) * smoothstep(0.16, 0.02, dot(from, from)) * smoothstep(0.02, 0.25, sight.y);
+}
+
 vec3 heavens(vec3 sight) {
   vec3 light = sky(sight);
   if (air.middle.w > 0.0) light = mix(light, 1.08 * far_air(sight), clouds(sight));
   light += air.glow.w * vec3(1.0, 0.93, 0.8) * smoothstep(0.99984, 0.99992, dot(sight, air.sun.xyz));
+  for (int i = 0; i < int(air.zenith.w); ++i) light += stars(sight);
   if (air.hills.w <= 0.0) return light;
   float height = sight.y / max(length(sight.xz), 1e-4);
   vec2 ridge = ridges(atan(sight.z, sight.x));

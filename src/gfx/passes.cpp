@@ -12,6 +12,7 @@
 
 #include "gfx/shader_sources.h"
 #include "gfx/sun_shadows.h"
+#include "sim/ground/ground.h"
 #include "sim/solids/materials.h"
 #include "sim/solids/track_mesh.h"
 #include "view/colour_map.h"
@@ -38,6 +39,17 @@ base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) 
       {"coverage", "", "", coverage_vert(), coverage_frag()},
       {"line", "", line_glsl(), line_vert(), line_frag()},
       {"mark", "", "", mark_vert(), mark_frag()},
+      {"park_sky", "#define BEHIND\n", "", backdrop_vert(), sky_frag()},
+      {"park_solid", "#define PARK\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"park_outline", "#define PARK\n#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"park_shadow", "#define PARK\n#define SHADOW\n", "", mesh_vert(), shadow_frag()},
+      {"land", "", park_air_glsl(), park_land_vert(), park_land_frag()},
+      {"land_drawing", "#define BLUEPRINT\n", park_air_glsl(), park_land_vert(), park_land_frag()},
+      {"plant", "", park_air_glsl(), park_plant_vert(), park_plant_frag()},
+      {"plant_shadow", "#define PARK\n#define SHADOW\n", "", park_plant_vert(), shadow_frag()},
+      {"water", "", park_air_glsl(), park_water_vert(), park_water_frag()},
+      {"lamp", "", "", park_lamp_vert(), park_lamp_frag()},
+      {"lamp_streak", "#define STREAK\n", "", park_lamp_vert(), park_lamp_frag()},
   }};
   const Row& row = rows[index];
   const std::string common = row.defines + std::string(common_glsl()) + std::string(row.shared);
@@ -112,9 +124,20 @@ void draw_sky(const PassContext& pass, const Rays& rays, const ViewportPolygon& 
   if (part.count < 3) return;
   const view::View& view = pass.scene.view;
   const float by_distance = view.parallel > 0 ? view.parallel : 1;
-  const ShaderProgram& program = pass.use(SceneProgram::sky);
+  const ShaderProgram& program = pass.use(pass.park ? SceneProgram::park_sky : SceneProgram::sky);
   program.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
   draw_part(pass, program, rays, part);
+}
+
+// Draws the sky of an orthographic view along the ground, and the earth below its horizon.
+void draw_parallel_sky(const PassContext& pass, glm::vec3 forward, glm::vec3 right, glm::vec3 up) {
+  const view::View& view = pass.scene.view;
+  const float middle = view.eye.y / up.y;  // height of the picture's middle over the ground, in halves of the picture
+  const glm::vec3 right_at_1 = right / view.parallel, up_at_1 = up / view.parallel;
+  const Rays over{forward + middle * up_at_1, right_at_1, up_at_1, {0, 1, 0}},
+      under{over.forward, over.right, over.up, {0, -1, 0}};
+  draw_sky(pass, over, part_of_viewport(middle, 0, 1));
+  draw_sky(pass, under, part_of_viewport(-middle, 0, -1));
 }
 
 // An orthographic view from above shows only ground. One along the ground shows it as a line: earth below it, and above
@@ -127,12 +150,7 @@ void draw_parallel_backdrop(const PassContext& pass, const SunShadows& shadows) 
     const Rays down{-axes[2], glm::vec3(0), glm::vec3(0), view.eye, right, up};
     return draw_ground(pass, shadows, down, part_of_viewport(1, 0, 0));
   }
-  const float middle = view.eye.y / up.y;  // height of the picture's middle over the ground, in halves of the picture
-  const glm::vec3 right_at_1 = right / view.parallel, up_at_1 = up / view.parallel;
-  const Rays over{-axes[2] + middle * up_at_1, right_at_1, up_at_1, {0, 1, 0}},
-      under{over.forward, over.right, over.up, {0, -1, 0}};
-  draw_sky(pass, over, part_of_viewport(middle, 0, 1));
-  draw_sky(pass, under, part_of_viewport(-middle, 0, -1));
+  draw_parallel_sky(pass, -axes[2], right, up);
 }
 
 constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint style
@@ -223,6 +241,13 @@ void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const T
   set_colouring(pass, program);
   set_materials(pass, program, paint);
   shadows.bind(program);
+  if (pass.park) {
+    program.set("lamp_map", kLampUnit);
+    program.set("lamps", pass.lit ? 1 : 0);
+    program.set("lamp_square",
+                static_cast<float>(pass.scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell));
+    program.set("cast_heights", pass.cast_heights);
+  }
   draw_track(pass, track);
   draw_carts(pass, instances);
 }
@@ -283,6 +308,21 @@ void draw_backdrop(const PassContext& pass, const SunShadows& shadows) {
   if (below.count > 2) draw_ground(pass, shadows, rays, below);
 }
 
+void draw_sky_behind(const PassContext& pass) {
+  const view::View& view = pass.scene.view;
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const glm::vec3 right = axes[0] / view.projection[0][0], up = axes[1] / view.projection[1][1];
+  if (view.parallel > 0 && axes[2].y > 0.5f) return;  // from above there is land everywhere
+  blend(pass.gl, false);
+  pass.gl.Enable(GL_DEPTH_TEST);
+  pass.gl.DepthFunc(GL_LEQUAL);
+  pass.gl.DepthMask(GL_FALSE);
+  pass.gl.BindVertexArray(pass.no_attributes);
+  if (view.parallel > 0) draw_parallel_sky(pass, -axes[2], right, up);
+  else draw_sky(pass, {-axes[2], right, up, {0, 1, 0}}, part_of_viewport(1, 0, 0));
+  pass.gl.DepthMask(GL_TRUE);
+}
+
 sim::EyeSurroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
 
 void choose_levels(const Scene& scene, TrackCache& track) {
@@ -298,8 +338,15 @@ void choose_detail(const Scene& scene, TrackCache& track) {
   track.supports().mesh().look_from(scene.view.eye, reach.full);
 }
 
+// Sets up the program that draws solids into a shadow map.
+void use_casting(const PassContext& pass, const glm::mat4& light) {
+  const ShaderProgram& program = pass.use(pass.park ? SceneProgram::park_shadow : SceneProgram::shadow);
+  program.set("view_projection", light);
+  if (pass.park) program.set("cast_heights", pass.cast_heights);
+}
+
 void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
-  pass.use(SceneProgram::shadow).set("view_projection", light);
+  use_casting(pass, light);
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
   for (const ShadowDrawStats& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
@@ -310,7 +357,7 @@ void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& lig
 }
 
 void cast_carts(const PassContext& pass, const CarInstances& instances, const glm::mat4& light) {
-  pass.use(SceneProgram::shadow).set("view_projection", light);
+  use_casting(pass, light);
   draw_carts(pass, instances);
 }
 
@@ -322,8 +369,10 @@ void draw_solids(const PassContext& pass, const TrackCache& track, const CarInst
   pass.gl.Enable(GL_CULL_FACE);
   values.bind();  // a sampler always needs a texture
   paint.bind(kPaintUnit);
-  if (pass.scenery.drawing) draw_all(pass, SceneProgram::outline, GL_FRONT, track, instances, paint, shadows);
-  draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, paint, shadows);
+  const SceneProgram outline = pass.park ? SceneProgram::park_outline : SceneProgram::outline;
+  if (pass.scenery.drawing) draw_all(pass, outline, GL_FRONT, track, instances, paint, shadows);
+  const SceneProgram solid = pass.park ? SceneProgram::park_solid : SceneProgram::solid;
+  draw_all(pass, solid, GL_BACK, track, instances, paint, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }
 

@@ -17,8 +17,31 @@
 
 namespace coaster::gfx {
 
-enum class SceneProgram { ground, ground_shadow, sky, solid, outline, shadow, polyline, coverage, line, mark };
-inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::mark) + 1;
+enum class SceneProgram {
+  ground,
+  ground_shadow,
+  sky,
+  solid,
+  outline,
+  shadow,
+  polyline,
+  coverage,
+  line,
+  mark,
+  // Of a park.
+  park_sky,
+  park_solid,
+  park_outline,
+  park_shadow,
+  land,
+  land_drawing,
+  plant,
+  plant_shadow,
+  water,
+  lamp,
+  lamp_streak
+};
+inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::lamp_streak) + 1;
 
 // Compiles each program when it is first used: few pictures use all, and Mesa takes some 70 ms for them.
 class ScenePrograms {
@@ -46,6 +69,9 @@ struct PassContext {
   glm::mat4 view_projection;
   GLuint no_attributes;  // a vertex array without attributes
   DrawStats& stats;
+  bool park = false;          // the scene has a land
+  bool lit = false;           // lamps of a park shine
+  glm::vec2 cast_heights{0};  // m, of a park: the lowest height that shadow maps tell apart, and their range
 
   // Returns the program, in use; an empty one if no pixels are drawn.
   const ShaderProgram& use(SceneProgram name) const {
@@ -59,7 +85,8 @@ struct PassContext {
 };
 
 // Texture units.
-inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3, kPaintUnit = 5;
+inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3, kPaintUnit = 5, kGrainUnit = 6,
+                     kLampUnit = 7;
 
 // Lets the buffers of very long tracks hold in full what the view can show, from now on.
 void choose_levels(const Scene& scene, TrackCache& track);
@@ -69,6 +96,8 @@ void choose_detail(const Scene& scene, TrackCache& track);
 
 // Draws sky, and ground with its shadows.
 void draw_backdrop(const PassContext& pass, const SunShadows& shadows);
+// Draws the sky of a park, behind all that is there.
+void draw_sky_behind(const PassContext& pass);
 
 // Draw track and trains into a shadow map; its texels are `texel_metres` wide.
 void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& light, float texel_metres);

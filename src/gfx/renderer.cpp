@@ -8,6 +8,7 @@
 
 #include "gfx/frame_targets.h"
 #include "gfx/gpu_curves.h"
+#include "gfx/park_passes.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
 
@@ -27,6 +28,7 @@ struct Renderer::Parts {
   SectionPaint paint{gl};
   CurveDeviation deviation{gl};
   SunShadows shadows{gl};
+  ParkPasses park{gl};
   GpuTimer polyline_timer{gl};
   GlObject empty_array = make_vertex_array(gl);  // for triangles without attributes
   FrameTargets targets{gl};
@@ -55,6 +57,7 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   if (scene.values) stats.recolours = values.sync(scene.derived, *scene.values).recolours;
   paint.sync(scene.derived, scene.document);
   instances.upload(scene.overlay, scene.carts, scene.view.eye, scene.derived.made.kind);
+  if (ParkPasses::shows(scene)) park.upload(scene, scenery_of(scene.style), stats);
 }
 
 Renderer::Renderer(const Gl& gl, int samples)
@@ -86,13 +89,26 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   choose_detail(scene, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
-  const PassContext pass{
+  PassContext pass{
       parts.gl, *parts.programs, scene, scenery, scene.view.projection * scene.view.view, parts.empty_array.id(),
       stats};
-  parts.shadows.update(pass, parts.track, parts.instances);
+  pass.park = ParkPasses::shows(scene);
+  SunShadows::ParkCasters casters;
+  if (pass.park) {
+    pass.cast_heights = parts.park.cast_heights();
+    pass.lit = scenery.night;
+    parts.park.look(pass);
+    casters = parts.park.casters(pass);
+  }
+  parts.shadows.update(pass, parts.track, parts.instances, pass.park ? &casters : nullptr);
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
-  draw_backdrop(pass, parts.shadows);
+  if (pass.park) parts.park.draw_land(pass, parts.shadows);
+  else draw_backdrop(pass, parts.shadows);
   draw_solids(pass, parts.track, parts.instances, parts.values, parts.paint, parts.shadows);
+  if (pass.park) {
+    draw_sky_behind(pass);
+    parts.park.draw_water(pass, parts.shadows);
+  }
   draw_polyline(pass, parts.track, parts.gpu_curves, parts.polyline_timer);
   draw_overlay(pass, parts.instances);
   parts.targets.finish();

@@ -43,7 +43,8 @@ struct Scene {
   const sim::Ground* ground = nullptr;        // null: the plane y = 0
   const sim::Plants* plants = nullptr;        // null: none are drawn
   world::Scenery scenery{};
-  float detail = 1;  // factor of the distances from which on the track is coarse
+  double seconds = 3;  // clock of waves, which only a ride moves on
+  float detail = 1;    // factor of the distances from which on the track is coarse
 };
 
 // Returns where ties, equipment and supports are near enough to be seen, for scenes of the usual detail.

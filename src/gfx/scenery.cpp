@@ -71,6 +71,7 @@ constexpr SceneStyle kNight{.sun = {0.55f, 0.62f, -0.45f},
                             .haze_width = 3,
                             .middle = rgb(0x131b35),
                             .zenith = rgb(0x060a1c),
+                            .night = true,
                             .clouds = 0.22f,
                             .glow = {0.05f, 0.06f, 0.09f},
                             .disc = 0.9f,
@@ -122,7 +123,7 @@ Air air_of(const SceneStyle& s) {
   air.horizon = {linear(s.horizon), s.fog_metres};
   air.haze = {linear(s.haze), s.haze_width};
   air.middle = {linear(s.middle), s.clouds};
-  air.zenith = {linear(s.zenith), 0};
+  air.zenith = {linear(s.zenith), s.night ? 1 : 0};
   air.glow = {s.glow, s.disc};
   air.hills = {linear(s.hills_height > 0 ? s.hills : s.horizon), s.hills_height};
   air.ground = {linear(s.ground) / lit, s.uneven};

@@ -19,6 +19,7 @@ struct SceneStyle {
   glm::vec3 horizon{0}, haze{0};   // distant air away from the sun, and towards it
   float haze_width = 1;            // exponent: larger is narrower
   glm::vec3 middle{0}, zenith{0};  // of the sky
+  bool night = false;              // stars, and lamps in a park
   float clouds = 0;                // fraction of the sky that clouds hide
   glm::vec3 glow{0};               // linear light around the sun
   float disc = 0;                  // brightness of the sun's disc

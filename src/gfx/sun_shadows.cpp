@@ -15,7 +15,7 @@ namespace coaster::gfx {
 namespace {
 
 constexpr float kTrackMargin = sim::kSupportReach + 1, kHangingMargin = 3.2f;  // m
-constexpr float kDepthMargin = 1;                                              // m
+constexpr float kParkDepth = 80;                                               // m, of trees and hills
 constexpr float kLargest = 1 << 18;                                            // m, more than the world's width
 
 // Returns the distance from a point to a box; 0 inside.
@@ -31,13 +31,13 @@ float power_of_two(float least, float wanted) {
 
 constexpr std::size_t kRun = 64;  // segments
 
-LightBox box_of(const SunAxes& axes, const sim::SegmentShape& shape) {
+LightBox box_of(const SunAxes& axes, const sim::SegmentShape& shape, float ground) {
   LightBox box;
   const curve::Cubic& c = shape.key.cubic;
   const float margin = kTrackMargin + static_cast<float>(std::abs(shape.key.rails));
   for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
     box.add(axes.of(p), margin);
-    box.add(axes.of({p.x, 0, p.z}), margin);
+    box.add(axes.of({p.x, ground, p.z}), margin);
   }
   return box;
 }
@@ -72,10 +72,10 @@ void LightBox::add(glm::vec3 light, float margin) {
   high = glm::max(high, light + margin);
 }
 
-const LightBox& TrackBox::update(const SunAxes& axes, const sim::DerivedTrack& derived) {
+const LightBox& TrackBox::update(const SunAxes& axes, const sim::DerivedTrack& derived, float ground) {
   looked_at_ = 0;
   std::vector<std::size_t> stale;
-  const auto changes = sun_ == axes.sun ? derived.changes_since(last_build_) : std::nullopt;
+  const auto changes = sun_ == axes.sun && ground_ == ground ? derived.changes_since(last_build_) : std::nullopt;
   if (changes) {
     for (const sim::ShapeChange& change : *changes)
       if (const std::size_t run = change.index / kRun; stale.empty() || stale.back() != run) stale.push_back(run);
@@ -83,11 +83,11 @@ const LightBox& TrackBox::update(const SunAxes& axes, const sim::DerivedTrack& d
     runs_.resize((derived.order.size() + kRun - 1) / kRun);
     for (std::size_t run = 0; run < runs_.size(); ++run) stale.push_back(run);
   }
-  sun_ = axes.sun, last_build_ = derived.last_build;
+  sun_ = axes.sun, ground_ = ground, last_build_ = derived.last_build;
   for (const std::size_t run : stale) {
     const std::size_t begin = run * kRun, end = std::min(begin + kRun, derived.order.size());
     runs_[run] = {};
-    for (std::size_t i = begin; i < end; ++i) runs_[run] = both(runs_[run], box_of(axes, derived.shape_at(i)));
+    for (std::size_t i = begin; i < end; ++i) runs_[run] = both(runs_[run], box_of(axes, derived.shape_at(i), ground));
     looked_at_ += end - begin;
   }
   box_ = {};
@@ -103,7 +103,8 @@ LightBox light_box(const SunAxes& axes, std::span<const sim::Pose> carts, float 
   return box;
 }
 
-ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward) {
+ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward,
+                     float deeper) {
   if (box.empty()) return {};
   const glm::vec3 size = box.high - box.low;
   const float whole = power_of_two(least, std::max(size.x, size.y) / 0.87f);  // the middle is off by up to a sixteenth
@@ -123,8 +124,8 @@ ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm:
   const float step = fit.side / 8, layer = 8;
   fit.middle.x = step * std::round(fit.middle.x / step);
   fit.middle.y = step * std::round(fit.middle.y / step);
-  const float far = layer * std::floor((box.low.z - kDepthMargin) / layer),
-              near = layer * std::ceil((box.high.z + kDepthMargin) / layer);
+  const float far = layer * std::floor((box.low.z - deeper) / layer),
+              near = layer * std::ceil((box.high.z + deeper) / layer);
   fit.middle.z = 0.5f * (far + near);
   fit.depth = near - far;
   return fit;
@@ -211,7 +212,20 @@ void ShadowMap::bind(const ShaderProgram& program, const char* prefix, int unit)
               drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));
 }
 
-void SunShadows::update(const PassContext& pass, TrackCache& track, const CarInstances& instances) {
+bool ShadowMap::reaches(const Box& box) const {
+  if (drawn_.fit.side <= 0) return false;
+  glm::vec2 low(3e38f), high(-3e38f);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 at(corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
+                       corner & 4 ? box.low.z : box.high.z);
+    const glm::vec2 there(to_map_ * glm::vec4(at, 1));
+    low = glm::min(low, there), high = glm::max(high, there);
+  }
+  return low.x < 1 && low.y < 1 && high.x > 0 && high.y > 0;
+}
+
+void SunShadows::update(const PassContext& pass, TrackCache& track, const CarInstances& instances,
+                        const ParkCasters* park) {
   const Scene& scene = pass.scene;
   const SunAxes axes(pass.scenery.sun);
   const glm::vec3 eye = scene.view.eye, forward = view::line_of_sight(scene.view);
@@ -222,13 +236,16 @@ void SunShadows::update(const PassContext& pass, TrackCache& track, const CarIns
   }
   const int texels = scene.shadows ? texels_for(scene.view.viewport) : 4;
   const auto fit = [&](const LightBox& box, float least) {
-    return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward);
+    return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward, park ? kParkDepth : kDepthMargin);
   };
-  const ShadowFit square = fit(track_box_.update(axes, scene.derived), kTrackSide);
+  const ShadowFit square = fit(track_box_.update(axes, scene.derived, park ? park->lowest : 0), kTrackSide);
   const float texel_metres = square.side / static_cast<float>(texels);
-  if (track_.update(texels, axes, square, track.mesh_version(), scene.unseen,
-                    [&](const glm::mat4& light) { cast_track(pass, track, light, texel_metres); }))
-    ++pass.stats.shadow_maps;
+  const auto cast = [&](const glm::mat4& light) {
+    cast_track(pass, track, light, texel_metres);
+    if (park) park->draw(light);
+  };
+  const std::uint64_t content = track.mesh_version() + (park ? park->content << 32 : 0);
+  if (track_.update(texels, axes, square, content, scene.unseen, cast)) ++pass.stats.shadow_maps;
   const float margin = sim::form_of(kind_).side < 0 ? kHangingMargin : kCarMargin;
   if (trains_.update(texels / 4, axes, fit(light_box(axes, scene.carts, margin), kTrainSide), cars_version_,
                      scene.unseen, [&](const glm::mat4& light) { cast_carts(pass, instances, light); }))

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "gfx/gl_objects.h"
+#include "gfx/park/visible_patches.h"
 #include "gfx/passes.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived_track.h"
@@ -30,16 +31,17 @@ struct LightBox {
   bool empty() const { return low.x > high.x; }
   void add(glm::vec3 light, float margin);
 };
-// The box of the track, of everything within sim::kSupportReach of it, and from there to the ground.
+// The box of the track, of everything within sim::kSupportReach of it, and from there to the height `ground` (m).
 class TrackBox {
  public:
   // Updates the box from the same DerivedTrack as before and returns it. Reads only the segments that
   // DerivedTrack::changes_since() lists, and the rest in runs of neighbours.
-  const LightBox& update(const SunAxes& axes, const sim::DerivedTrack& derived);
+  const LightBox& update(const SunAxes& axes, const sim::DerivedTrack& derived, float ground = 0);
   std::size_t looked_at() const { return looked_at_; }  // segments read in the last update
 
  private:
   std::optional<glm::vec3> sun_;
+  float ground_ = 0;
   std::uint64_t last_build_ = 0;
   std::vector<LightBox> runs_;  // of kRun segments each, in the track's order
   LightBox box_;
@@ -58,7 +60,10 @@ struct ShadowFit {
 // Returns the whole box if it fits into `least` metres (a power of two). For a larger box, the part around what `eye`
 // sees, larger for higher and more distant eyes. The square moves in steps of an eighth of its side, so that texels
 // stay aligned while the eye moves and the map stays valid for a while.
-ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward);
+// `deeper`: m before and behind the box within which things cast and take shadows.
+inline constexpr float kDepthMargin = 1;
+ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm::vec3 eye, glm::vec3 forward,
+                     float deeper = kDepthMargin);
 
 // Return the matrices from the world to OpenGL clip space, and to 0..1 in the map.
 glm::mat4 clip_of(const SunAxes& axes, const ShadowFit& fit);
@@ -80,6 +85,8 @@ class ShadowMap {
   // Binds the textures to units `unit` (depth) and `unit` + 1 (coverage), and sets PREFIX_depth, PREFIX_cover,
   // PREFIX_light and PREFIX_texel of the program in use. Call after update().
   void bind(const ShaderProgram& program, const char* prefix, int unit) const;
+  // Returns false if the map shades nothing of a box.
+  bool reaches(const Box& box) const;
 
  private:
   void make(int size);
@@ -102,9 +109,17 @@ class SunShadows {
  public:
   explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}
   // Counts the drawn maps in stats.shadow_maps. Call after updating `track` and `instances`; binds framebuffers.
-  void update(const PassContext& pass, TrackCache& track, const CarInstances& instances);
+  // `park`, if there is a land: draws what else casts shadows in the track's map, whose content it numbers.
+  struct ParkCasters {
+    std::uint64_t content = 0;
+    float lowest = 0;  // m, of the land
+    std::function<void(const glm::mat4& light)> draw;
+  };
+  void update(const PassContext& pass, TrackCache& track, const CarInstances& instances, const ParkCasters* park);
   // For the program in use.
   void bind(const ShaderProgram& program) const;
+  const ShadowMap& track() const { return track_; }
+  const ShadowMap& trains() const { return trains_; }
 
  private:
   ShadowMap track_, trains_;

@@ -11,9 +11,11 @@
 namespace coaster::view {
 
 struct DrawStats {
-  int uploads = 0;          // segments written to the track's buffers
-  int recolours = 0;        // segments whose values were written (not in uploads)
-  int support_uploads = 0;  // segments whose supports were written (not in uploads)
+  int uploads = 0;                     // segments written to the track's buffers
+  int recolours = 0;                   // segments whose values were written (not in uploads)
+  int support_uploads = 0;             // segments whose supports were written (not in uploads)
+  int park_uploads = 0;                // patches of a park's land that were written (not in uploads)
+  std::int64_t park_upload_bytes = 0;  // written for the park, not in upload_bytes
   int draw_calls = 0;
   std::int64_t triangles = 0;  // of these draw calls, including shadow maps
   int shadow_maps = 0;  // drawn shadow maps: 0 unless track, trains, light or the visible part of a large track changed
@@ -48,6 +50,10 @@ inline constexpr std::array kDrawNumbers{
                 &DrawStats::recolours},
     DrawStatRow{"supports.uploads", "", "Segments whose supports were uploaded in the last frame; not part of uploads.",
                 &DrawStats::support_uploads},
+    DrawStatRow{"park.uploads", "", "Patches of the land that were uploaded in the last frame; not part of uploads.",
+                &DrawStats::park_uploads},
+    DrawStatRow{"park.upload_bytes", "B", "Bytes written for land, plants and tunnels in the last frame.",
+                &DrawStats::park_upload_bytes},
     DrawStatRow{"draw_calls", "", "Draw calls of the scene in the last frame.", &DrawStats::draw_calls},
     DrawStatRow{"triangles", "", "Triangles of these draw calls.", &DrawStats::triangles},
     DrawStatRow{"shadow_maps", "", "Shadow maps drawn in the last frame; 0 if neither track, trains nor light changed.",

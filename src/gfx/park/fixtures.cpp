@@ -1,0 +1,100 @@
+#include "gfx/park/fixtures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/ground/tunnel_mesh.h"
+
+namespace coaster::gfx {
+namespace {
+
+std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f))); }
+
+LandVertex vertex_of(const sim::EarthVertex& from) {
+  LandVertex vertex;
+  vertex.position = from.position;
+  for (int i = 0; i < 3; ++i) {
+    vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * from.normal[i]));
+    vertex.paint[static_cast<std::size_t>(i)] = byte_of(std::sqrt(std::max(from.paint[i], 0.0f)));
+  }
+  vertex.paint[3] = byte_of(from.ambient);
+  return vertex;
+}
+
+// Adds an upright box without a bottom.
+void add_box(sim::EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 paint) {
+  const auto corner = [&](int i) {
+    return glm::vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+  };
+  struct Side {
+    glm::vec3 normal;
+    std::array<int, 4> corners;  // counter-clockwise from outside
+  };
+  const std::array<Side, 5> sides{{{{1, 0, 0}, {1, 3, 7, 5}},
+                                   {{-1, 0, 0}, {0, 4, 6, 2}},
+                                   {{0, 0, 1}, {4, 5, 7, 6}},
+                                   {{0, 0, -1}, {0, 2, 3, 1}},
+                                   {{0, 1, 0}, {2, 6, 7, 3}}}};
+  for (const Side& side : sides) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const int i : side.corners) mesh.vertices.push_back({corner(i), side.normal, paint, 0.9f});
+    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+  }
+}
+
+}  // namespace
+
+FixtureMesh fixture_mesh(const sim::Ground& ground, std::span<const Lamp> posts, std::span<const Lamp> lit) {
+  constexpr glm::vec3 kPost{0.045f, 0.055f, 0.060f}, kGlass{0.75f, 0.70f, 0.55f};
+  sim::EarthMesh earth = sim::tunnel_mesh(ground);
+  for (const Lamp& lamp : posts) {
+    if (lamp.post <= 0) continue;
+    const glm::vec3 foot = lamp.at - glm::vec3(0, lamp.post + 0.3f, 0);
+    add_box(earth, foot - glm::vec3(0.07f, 0, 0.07f), lamp.at + glm::vec3(0.07f, -0.2f, 0.07f), kPost);
+    add_box(earth, lamp.at - glm::vec3(0.18f, 0.2f, 0.18f), lamp.at + glm::vec3(0.18f, 0.2f, 0.18f), kGlass);
+    add_box(earth, lamp.at + glm::vec3(-0.26f, 0.2f, -0.26f), lamp.at + glm::vec3(0.26f, 0.3f, 0.26f), kPost);
+  }
+  FixtureMesh mesh;
+  mesh.indices = std::move(earth.indices);
+  for (const sim::EarthVertex& vertex : earth.vertices) {
+    mesh.vertices.push_back(vertex_of(vertex));
+    float sum = 0;
+    for (const Lamp& lamp : lit) sum += lamp_light(lamp, vertex.position, vertex.normal);
+    mesh.light.push_back({static_cast<std::uint8_t>(vertex.ambient < 0.5f ? 0 : 255), byte_of(0.5f * sum)});
+  }
+  return mesh;
+}
+
+std::vector<std::uint8_t> lamp_map(const sim::Ground& ground, std::span<const Lamp> lamps, glm::vec2 heights) {
+  const int side = static_cast<int>(ground.tiles_across() * world::kGroundTileCells * world::kGroundCell / kLampCell);
+  const auto cells = static_cast<std::size_t>(side * side);
+  std::vector<float> light(cells), height(cells);
+  const auto half = 0.5f * static_cast<float>(side);
+  const auto cell = static_cast<float>(kLampCell);
+  for (const Lamp& lamp : lamps) {
+    const glm::vec2 middle(lamp.at.x / cell + half, lamp.at.z / cell + half);
+    constexpr float kReach = 16;  // m
+    const auto low = glm::ivec2(glm::max(middle - kReach / cell, glm::vec2(0))),
+               high = glm::ivec2(glm::min(middle + kReach / cell, glm::vec2(static_cast<float>(side - 1))));
+    for (int z = low.y; z <= high.y; ++z) {
+      for (int x = low.x; x <= high.x; ++x) {
+        const float metres = cell * glm::distance(glm::vec2(x, z) + 0.5f, middle), q = metres * metres;
+        if (metres >= kReach) continue;
+        const float edge = 1 - metres / kReach, much = lamp.strength * edge * 30 / (q + 30);
+        const auto i = static_cast<std::size_t>(z * side + x);
+        light[i] += much, height[i] += much * lamp.at.y;
+      }
+    }
+  }
+  std::vector<std::uint8_t> texels;
+  texels.reserve(2 * cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    const float high = light[i] > 0 ? height[i] / light[i] : heights.x;
+    texels.push_back(byte_of(0.5f * light[i]));
+    texels.push_back(byte_of((high - heights.x) / heights.y));
+  }
+  return texels;
+}
+
+}  // namespace coaster::gfx

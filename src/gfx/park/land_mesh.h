@@ -1,0 +1,107 @@
+// The land as it is drawn: patches of 32x32 cells with normals, paint and the light that reaches them. All of it is a
+// pure function of ground, plants, sun and lamps; what did not change is kept.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gfx/park/lamps.h"
+#include "sim/ground/ground.h"
+#include "sim/ground/plants.h"
+
+namespace coaster::gfx {
+
+struct LandVertex {
+  glm::vec3 position{0};                // m
+  std::array<std::int8_t, 4> normal{};  // in 1/127; the last is 0
+  std::array<std::uint8_t, 4> paint{};  // square roots of linear light, then ambient light, in 1/255
+};
+// What reaches a vertex of the sun and of lamps (half of it), in 1/255.
+struct LandLight {
+  std::uint8_t sun = 255, lamp = 0;
+  friend bool operator==(const LandLight&, const LandLight&) = default;
+};
+
+// Rows and columns of vertices, both ends included; empty if x0 > x1.
+struct VertexRect {
+  int x0 = 1 << 30, z0 = 1 << 30, x1 = -(1 << 30), z1 = -(1 << 30);
+  bool empty() const { return x0 > x1; }
+  void add(int x, int z);
+  void add(const VertexRect& other);
+  VertexRect grown(int by) const { return empty() ? *this : VertexRect{x0 - by, z0 - by, x1 + by, z1 + by}; }
+  VertexRect within(const VertexRect& other) const;
+};
+
+// Heights and what lies on them for the whole square, by vertices of kGroundCell.
+struct LandField {
+  int across = 0;                         // cells along the square's side
+  std::vector<float> heights;             // m
+  std::vector<std::uint8_t> wood, earth;  // shade of crowns; earth under low track: in 1/255
+  int side() const { return across + 1; }
+  // Places beyond the square count as its edge.
+  std::size_t at(int x, int z) const;
+  float height(int x, int z) const { return heights[at(x, z)]; }
+};
+
+struct LandPatch {
+  static constexpr int kSide = sim::GroundPatch::kSide;
+  std::vector<LandVertex> vertices;          // kSide rows of kSide
+  std::vector<LandLight> light;              // of those vertices
+  std::vector<std::uint16_t> indices;        // triangles of all cells that are not open
+  bool open = false;                         // some cells are left out, for a tunnel's mouth
+  float low = 0, high = 0;                   // m
+  std::uint64_t build = 0, light_build = 0;  // new numbers when vertices or indices change, and when the light does
+};
+
+class LandMesh {
+ public:
+  // Brings all patches up to date with the ground, its plants (null: none), the unit direction to the sun and the
+  // lamps: a fraction of a millisecond for each patch that changed. Without `sun_shines` the light is full everywhere.
+  void update(const sim::Ground& ground, const sim::Plants* plants, glm::vec3 sun, bool sun_shines,
+              std::span<const Lamp> lamps);
+  std::span<const LandPatch> patches() const { return patches_; }  // in the order of Ground::patches()
+  const LandField& field() const { return field_; }
+  std::uint64_t reset_build() const { return reset_; }  // a new number when all patches are new
+  // Returns how much sun and lamps reach a place, from the nearest vertex.
+  LandLight light_at(double x, double z) const;
+  // Returns how much of the sun reaches a place over the land, 0..1, past hills but not past crowns.
+  float sun_over(glm::vec3 place) const;
+
+ private:
+  struct Key {
+    std::uint64_t ground = 0, plants = 0, track = 0;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Stale {
+    VertexRect vertices;
+    bool indices = false, light = false;
+  };
+  void reset(const sim::Ground& ground);
+  VertexRect rect_of(std::size_t patch) const;
+  std::vector<Key> keys_of(const sim::Ground& ground, const sim::Plants* plants) const;
+  VertexRect take_heights(const sim::GroundPatch& patch, const VertexRect& rect);
+  VertexRect take_cover(const sim::Ground& ground, const sim::Plants* plants, const VertexRect& rect);
+  void mark(const VertexRect& rect);
+  void mark_shaded(const VertexRect& rect, float above);
+  void mark_lamps(std::span<const Lamp> lamps);
+  void build(const sim::Ground& ground, std::size_t patch);
+  void bake(std::size_t patch);
+
+  world::Park park_;
+  glm::vec3 sun_{0, 1, 0};
+  bool sun_shines_ = true;
+  std::vector<Lamp> lamps_;
+  LandField field_;
+  float lowest_ = 0, highest_ = 0;  // m, of the field
+  std::vector<LandPatch> patches_;
+  std::vector<Key> keys_;
+  std::vector<Stale> stale_;
+  std::vector<std::uint64_t> lamp_keys_;
+  std::uint64_t build_ = 0, reset_ = 0;
+};
+
+}  // namespace coaster::gfx

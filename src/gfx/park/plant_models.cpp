@@ -1,0 +1,239 @@
+#include "gfx/park/plant_models.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim/ground/noise.h"
+
+namespace coaster::gfx {
+namespace {
+
+constexpr float kTurn = 6.28318531f;
+constexpr glm::vec3 kNeedles{0.050f, 0.125f, 0.050f}, kLeaves{0.110f, 0.205f, 0.045f}, kBark{0.16f, 0.105f, 0.07f},
+    kBush{0.115f, 0.195f, 0.055f}, kStone{0.330f, 0.305f, 0.270f};
+
+float random(int a, int b) { return static_cast<float>(sim::random_at(a, b, 11)); }
+
+class ModelBuilder {
+ public:
+  std::uint16_t vertex(glm::vec3 at, glm::vec3 normal, glm::vec3 paint, float ambient) {
+    LandVertex made;
+    made.position = at;
+    normal = glm::normalize(normal);
+    for (int i = 0; i < 3; ++i) {
+      made.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
+      made.paint[static_cast<std::size_t>(i)] =
+          static_cast<std::uint8_t>(std::lround(255 * std::sqrt(glm::clamp(paint[i], 0.0f, 1.0f))));
+    }
+    made.paint[3] = static_cast<std::uint8_t>(std::lround(255 * glm::clamp(ambient, 0.0f, 1.0f)));
+    model_.vertices.push_back(made);
+    return static_cast<std::uint16_t>(model_.vertices.size() - 1);
+  }
+  void triangle(std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+    model_.indices.insert(model_.indices.end(), {a, b, c});
+  }
+
+  // A trunk without ends.
+  void trunk(int sides, float height, float low, float high) {
+    std::vector<std::uint16_t> ring[2];
+    for (int end = 0; end < 2; ++end)
+      for (int i = 0; i < sides; ++i) {
+        const float turn = kTurn * static_cast<float>(i) / static_cast<float>(sides);
+        const glm::vec3 out(std::cos(turn), 0, std::sin(turn));
+        ring[end].push_back(vertex((end == 0 ? low : high) * out + glm::vec3(0, end == 0 ? -0.6f : height, 0), out,
+                                   kBark, end == 0 ? 0.5f : 0.35f));
+      }
+    for (int i = 0; i < sides; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>((i + 1) % sides);
+      triangle(ring[0][a], ring[1][a], ring[1][b]);
+      triangle(ring[0][a], ring[1][b], ring[0][b]);
+    }
+  }
+
+  // A tier of needles: a cone with an uneven rim and a hollow underside.
+  void tier(int index, int tiers, int sides, float uneven) {
+    const float f = static_cast<float>(index) / static_cast<float>(tiers);
+    const float rim = 1.2f + 7.2f * f, radius = 2.35f * (1 - 0.78f * f);
+    const bool last = index + 1 == tiers;
+    const float tip = last ? 9.8f : rim + 12.15f / static_cast<float>(tiers);
+    const std::uint16_t top = vertex({0, tip, 0}, {0, 1, 0}, kNeedles, last ? 0.95f : 0.45f);
+    const std::uint16_t under = vertex({0, rim + 0.5f, 0}, {0, -1, 0}, 0.5f * kNeedles, 0.2f);
+    std::vector<std::uint16_t> upper, lower;
+    for (int i = 0; i < sides; ++i) {
+      const float turn =
+          kTurn * (static_cast<float>(i) + 0.37f * static_cast<float>(index)) / static_cast<float>(sides);
+      // Branches alternate, so that the outline is jagged.
+      const float r = radius * (1 + uneven * (2 * random(i, index) - 1) - (uneven > 0.1f && i % 2 == 1 ? 0.12f : 0.0f));
+      const float y = rim + 0.5f * uneven * (2 * random(i + 40, index) - 1);
+      const glm::vec3 at(r * std::cos(turn), y, r * std::sin(turn));
+      const glm::vec3 soft = glm::normalize(glm::vec3(at.x, 0.55f * r, at.z)),
+                      face = glm::normalize(glm::vec3(at.x / r, r / (tip - rim), at.z / r));
+      upper.push_back(vertex(at, 0.55f * soft + 0.45f * face, 1.15f * kNeedles, 0.85f));
+      lower.push_back(vertex(at, {0.2f * at.x, -1, 0.2f * at.z}, 0.7f * kNeedles, 0.4f));
+    }
+    for (int i = 0; i < sides; ++i) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>((i + 1) % sides);
+      triangle(upper[a], top, upper[b]);
+      triangle(lower[a], lower[b], under);
+    }
+  }
+
+  // A ball of `splits` times divided faces of an icosahedron, or of an octahedron if it is negative.
+  struct Ball {
+    glm::vec3 middle{0}, radii{1};
+    int splits = 0, seed = 0;
+    float uneven = 0.14f;
+  };
+  template <class Look>
+  void ball(const Ball& ball, const Look& look) {
+    std::vector<glm::vec3> points;
+    std::vector<std::array<std::uint16_t, 3>> faces;
+    if (ball.splits < 0) {
+      points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+      faces = {{0, 1, 2}, {2, 1, 3}, {3, 1, 5}, {5, 1, 0}, {2, 4, 0}, {3, 4, 2}, {5, 4, 3}, {0, 4, 5}};
+      for (auto& face : faces) std::swap(face[1], face[2]);
+    } else {
+      const float t = 1.618034f;
+      points = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+                {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
+      faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+      for (glm::vec3& point : points) point = glm::normalize(point);
+    }
+    for (int split = 0; split < ball.splits; ++split) {
+      std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> middles;
+      std::vector<std::array<std::uint16_t, 3>> finer;
+      const auto middle = [&](std::uint16_t a, std::uint16_t b) {
+        const auto [at, made] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint16_t>(points.size()));
+        if (made) points.push_back(glm::normalize(points[a] + points[b]));
+        return at->second;
+      };
+      for (const auto& [a, b, c] : faces) {
+        const std::uint16_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+      }
+      faces = std::move(finer);
+    }
+    const auto first = static_cast<std::uint16_t>(model_.vertices.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const float r = 1 + ball.uneven * (2 * random(static_cast<int>(i), ball.seed) - 1);
+      const glm::vec3 at = ball.middle + r * ball.radii * points[i];
+      look(*this, at, glm::normalize(points[i] / ball.radii));
+    }
+    for (const auto& [a, b, c] : faces)
+      triangle(static_cast<std::uint16_t>(first + a), static_cast<std::uint16_t>(first + b),
+               static_cast<std::uint16_t>(first + c));
+  }
+
+  PlantModel take() { return std::move(model_); }
+
+ private:
+  PlantModel model_;
+};
+
+PlantModel conifer(PlantLevel level) {
+  ModelBuilder model;
+  switch (level) {
+    case PlantLevel::near:
+      model.trunk(7, 2, 0.26f, 0.17f);
+      for (int i = 0; i < 8; ++i) model.tier(i, 8, 18, 0.24f);
+      break;
+    case PlantLevel::fine:
+      model.trunk(5, 2, 0.26f, 0.17f);
+      for (int i = 0; i < 4; ++i) model.tier(i, 4, 8, 0.22f);
+      break;
+    case PlantLevel::coarse:
+      model.trunk(3, 2, 0.26f, 0.17f);
+      for (int i = 0; i < 2; ++i) model.tier(i, 2, 5, 0.05f);
+      break;
+    case PlantLevel::far: model.tier(0, 1, 5, 0.05f); break;
+  }
+  return model.take();
+}
+
+constexpr auto kLeafLook = [](ModelBuilder& model, glm::vec3 at, glm::vec3 out) {
+  const float u = glm::clamp((at.y - 2.6f) / 5, 0.0f, 1.0f);
+  const glm::vec3 away = glm::normalize(at - glm::vec3(0, 4.6f, 0));
+  model.vertex(at, away + out, (0.9f + 0.25f * u) * kLeaves, 0.45f + 0.55f * u);
+};
+
+PlantModel broadleaf(PlantLevel level) {
+  ModelBuilder model;
+  constexpr ModelBuilder::Ball kFine[] = {{{0, 5.6f, 0}, glm::vec3(2.5f), 0, 1},
+                                          {{1.5f, 4.4f, 0.7f}, {1.7f, 1.5f, 1.7f}, 0, 2},
+                                          {{-1.2f, 4.6f, 1.0f}, {1.8f, 1.6f, 1.8f}, 0, 3},
+                                          {{-0.3f, 4.3f, -1.6f}, {1.8f, 1.5f, 1.8f}, 0, 4}};
+  switch (level) {
+    case PlantLevel::near:
+    case PlantLevel::fine:
+      model.trunk(level == PlantLevel::near ? 8 : 5, 3.6f, 0.26f, 0.17f);
+      for (ModelBuilder::Ball ball : kFine) {
+        if (level == PlantLevel::near) ball.splits = 1, ball.uneven = 0.13f;
+        model.ball(ball, kLeafLook);
+      }
+      break;
+    case PlantLevel::coarse:
+      model.trunk(3, 3.6f, 0.26f, 0.17f);
+      model.ball({{0.3f, 5.5f, 0.2f}, {2.5f, 2.3f, 2.5f}, 0, 5}, kLeafLook);
+      model.ball({{-0.5f, 4.1f, -0.3f}, {2.7f, 1.4f, 2.7f}, -1, 6, 0.05f}, kLeafLook);
+      break;
+    case PlantLevel::far: model.ball({{0, 4.6f, 0}, {2.9f, 3.4f, 2.9f}, -1, 7, 0.05f}, kLeafLook); break;
+  }
+  return model.take();
+}
+
+PlantModel bush(PlantLevel level) {
+  ModelBuilder model;
+  const auto look = [](ModelBuilder& to, glm::vec3 at, glm::vec3 out) {
+    const float u = glm::clamp(at.y / 1.3f, 0.0f, 1.0f);
+    to.vertex(at, out + glm::vec3(0, 0.3f, 0), (0.85f + 0.3f * u) * kBush, 0.4f + 0.6f * u);
+  };
+  if (level <= PlantLevel::fine) {
+    const int splits = level == PlantLevel::near ? 1 : 0;
+    model.ball({{0, 0.55f, 0}, {0.95f, 0.8f, 0.95f}, splits, 21, 0.17f}, look);
+    model.ball({{0.7f, 0.35f, 0.35f}, {0.65f, 0.55f, 0.6f}, splits, 22, 0.17f}, look);
+  } else {
+    model.ball({{0.2f, 0.5f, 0.1f}, {1.15f, 0.8f, 1.05f}, -1, 23, 0.1f}, look);
+  }
+  return model.take();
+}
+
+PlantModel rock(PlantLevel level) {
+  ModelBuilder model;
+  const auto look = [](ModelBuilder& to, glm::vec3 at, glm::vec3 out) {
+    const float u = glm::clamp(0.5f + at.y, 0.0f, 1.0f);
+    to.vertex(at, out, (0.8f + 0.3f * random(static_cast<int>(40 * at.x), static_cast<int>(40 * at.z))) * kStone,
+              0.5f + 0.5f * u);
+  };
+  model.ball({{0, 0.25f, 0},
+              {1.0f, 0.65f, 0.8f},
+              level == PlantLevel::near   ? 1
+              : level == PlantLevel::fine ? 0
+                                          : -1,
+              31,
+              0.22f},
+             look);
+  return model.take();
+}
+
+}  // namespace
+
+PlantModel plant_model(sim::PlantKind kind, PlantLevel level) {
+  switch (kind) {
+    case sim::PlantKind::conifer: return conifer(level);
+    case sim::PlantKind::broadleaf: return broadleaf(level);
+    case sim::PlantKind::bush: return bush(level);
+    case sim::PlantKind::rock: return rock(level);
+  }
+  return {};
+}
+
+PlantLevel plant_level(float metres) {
+  for (std::size_t level = 0; level + 1 < kPlantLevels; ++level)
+    if (metres < kPlantReach[level]) return static_cast<PlantLevel>(level);
+  return PlantLevel::far;
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,29 @@
+// The shapes of plants: trees, bushes and rocks of size 1, in levels of detail.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gfx/park/land_mesh.h"
+#include "sim/ground/plants.h"
+
+namespace coaster::gfx {
+
+inline constexpr std::size_t kPlantKinds = 4;  // of sim::PlantKind
+// Levels of detail from near to far, and how far (m) each reaches.
+enum class PlantLevel : std::uint8_t { near, fine, coarse, far };
+inline constexpr std::size_t kPlantLevels = 4;
+inline constexpr std::array<float, kPlantLevels> kPlantReach{26, 95, 240, 1'200};
+inline constexpr float kUndergrowthReach = 240;  // m, of bushes and rocks
+
+struct PlantModel {
+  std::vector<LandVertex> vertices;    // about the foot; m at size 1; closed, so that they cast shadows
+  std::vector<std::uint16_t> indices;  // counter-clockwise from outside
+};
+PlantModel plant_model(sim::PlantKind kind, PlantLevel level);
+
+// Returns the level at a distance (m).
+PlantLevel plant_level(float metres);
+
+}  // namespace coaster::gfx

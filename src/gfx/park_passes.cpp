@@ -1,0 +1,303 @@
+// The passes of a park. Light that does not move is computed by vertex and kept; pixels add grain, moving shadows and
+// the tone curve, which is what software renderers can afford.
+#include "gfx/park_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gfx/land_cache.h"
+#include "gfx/park/fixtures.h"
+#include "gfx/park/grain.h"
+#include "gfx/plant_cache.h"
+#include "world/appearance_settings.h"
+
+namespace coaster::gfx {
+namespace {
+
+// A texture of the grain, with mipmaps.
+GlObject make_grain_texture(const Gl& gl) {
+  gl.ActiveTexture(GL_TEXTURE0);
+  GlObject texture = make_texture(gl, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSide, kGrainSide, 0, GL_RG, GL_UNSIGNED_BYTE, make_grain().data());
+  gl.GenerateMipmap(GL_TEXTURE_2D);
+  return texture;
+}
+
+void bind_texture(const Gl& gl, int unit, GLuint texture) {
+  gl.ActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.ActiveTexture(GL_TEXTURE0);
+}
+
+constexpr float kHeightLayer = 16;  // m: maps are kept while a track grows by less
+
+Box box_of(const LandPatch& patch) {
+  Box box{patch.vertices.front().position, patch.vertices.back().position};
+  box.low.y = patch.low, box.high.y = patch.high;
+  return box;
+}
+
+}  // namespace
+
+struct ParkPasses::Parts {
+  explicit Parts(const Gl& of)
+      : gl(of), land(of), plants(of), fixture_vertices(of), fixture_light(of), fixture_indices(of), lamp_buffer(of) {}
+  const Gl& gl;
+  LandMesh mesh;
+  LandCache land;
+  PlantCache plants;
+  bool planted = false;
+  FixtureMesh fixtures;  // as uploaded
+  GrowingBuffer<LandVertex> fixture_vertices;
+  GrowingBuffer<LandLight> fixture_light;
+  GrowingBuffer<std::uint32_t> fixture_indices;
+  GlObject fixture_array;
+  std::uint64_t ground_build = 0, fixture_version = 1;
+  bool lit = false;
+  std::vector<Lamp> lamps, lights;  // all; those that shine
+  GrowingBuffer<glm::vec4> lamp_buffer;
+  GlObject lamp_array, lamp_map, grain;
+  std::vector<VisiblePatch> visible;
+  glm::vec2 heights{0};  // m, from the lowest land to the highest caster
+  float lowest = 0;      // m, of the land
+
+  std::int64_t write_fixtures(FixtureMesh made);
+};
+
+ParkPasses::ParkPasses(const Gl& gl) : parts_(std::make_unique<Parts>(gl)) {}
+ParkPasses::~ParkPasses() = default;
+
+bool ParkPasses::shows(const Scene& scene) { return scene.ground != nullptr && !scene.ground->plain(); }
+
+std::int64_t ParkPasses::Parts::write_fixtures(FixtureMesh made) {
+  const auto bytes_of = [](const auto& items) { return static_cast<std::int64_t>(items.size() * sizeof(items[0])); };
+  fixtures = std::move(made);
+  ++fixture_version;
+  fixture_vertices.fill(fixtures.vertices);
+  fixture_light.fill(fixtures.light);
+  fixture_indices.fill(fixtures.indices);
+  if (fixture_array.id() == 0) fixture_array = make_vertex_array(gl);
+  gl.BindVertexArray(fixture_array.id());
+  land_attributes(gl, fixture_vertices.id(), 0);
+  light_attribute(gl, fixture_light.id(), 0);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, fixture_indices.id());
+  gl.BindVertexArray(0);
+  return bytes_of(fixtures.vertices) + bytes_of(fixtures.light) + bytes_of(fixtures.indices);
+}
+
+// Writes the glow of lamps and their light on solids.
+void ParkPasses::upload_lamps(const Scene& scene, const SceneStyle& style) {
+  Parts& parts = *parts_;
+  const Gl& gl = parts.gl;
+  if (parts.lamp_map.id() == 0 || style.night) {
+    const bool shine = style.night;
+    const int side =
+        shine
+            ? static_cast<int>(scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell / kLampCell)
+            : 1;
+    gl.ActiveTexture(GL_TEXTURE0);
+    parts.lamp_map = make_texture(gl, GL_LINEAR, GL_LINEAR);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const std::vector<std::uint8_t> texels =
+        shine ? lamp_map(*scene.ground, parts.lights, parts.heights) : std::vector<std::uint8_t>(2);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, side, side, 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  }
+  std::vector<glm::vec4> glows;
+  for (const Lamp& lamp : parts.lights) glows.emplace_back(lamp.at, lamp.strength);
+  parts.lamp_buffer.fill(glows);
+  if (parts.lamp_array.id() == 0) parts.lamp_array = make_vertex_array(gl);
+  gl.BindVertexArray(parts.lamp_array.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, parts.lamp_buffer.id());
+  float_attribute(gl, 0, 4, sizeof(glm::vec4), 0, 1);
+  gl.BindVertexArray(0);
+}
+
+void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& stats) {
+  Parts& parts = *parts_;
+  const sim::Ground& ground = *scene.ground;
+  if (parts.grain.id() == 0) parts.grain = make_grain_texture(parts.gl);
+  const bool moved = std::exchange(parts.ground_build, ground.build()) != ground.build();
+  const bool relit = std::exchange(parts.lit, style.night) != style.night || parts.lamp_map.id() == 0;
+  if (moved) parts.lamps = lamps_of(ground);
+  parts.lights = style.night ? parts.lamps : std::vector<Lamp>();
+  parts.mesh.update(ground, scene.plants, glm::normalize(style.sun), !style.drawing, parts.lights);
+  const LandCache::UploadStats written = parts.land.sync(ground, parts.mesh);
+  stats.park_uploads = written.patches;
+  stats.park_upload_bytes = written.bytes;
+  float low = static_cast<float>(ground.water() > world::kNoWater ? ground.water() : 1e9), high = -1e9f;
+  for (const sim::GroundPatch& patch : ground.patches())
+    low = std::min(low, patch.low), high = std::max(high, patch.high + kPlantHeight);
+  for (const sim::TrackSample& sample : ground.samples()) high = std::max(high, static_cast<float>(sample.at.y) + 4);
+  parts.lowest = kHeightLayer * std::floor(low / kHeightLayer);
+  parts.heights = {parts.lowest, kHeightLayer * std::ceil(high / kHeightLayer) - parts.lowest};
+  if (scene.plants != nullptr) stats.park_upload_bytes += parts.plants.sync(*scene.plants, parts.mesh);
+  else if (parts.planted) parts.plants.clear();
+  parts.planted = scene.plants != nullptr;
+  if (moved || relit) {
+    FixtureMesh made = fixture_mesh(ground, parts.lamps, parts.lights);
+    const auto same = [](const LandVertex& a, const LandVertex& b) {
+      return a.position == b.position && a.normal == b.normal && a.paint == b.paint;
+    };
+    if (parts.fixture_array.id() == 0 || made.light != parts.fixtures.light ||
+        !std::ranges::equal(made.vertices, parts.fixtures.vertices, same))
+      stats.park_upload_bytes += parts.write_fixtures(std::move(made));
+    upload_lamps(scene, style);
+  }
+}
+
+glm::vec2 ParkPasses::cast_heights() const { return parts_->heights; }
+
+void ParkPasses::look(const PassContext& pass) {
+  parts_->visible = visible_patches(parts_->mesh.patches(), pass.view_projection, pass.scene.view.eye, 1);
+}
+
+SunShadows::ParkCasters ParkPasses::casters(const PassContext& pass) const {
+  const Parts& parts = *parts_;
+  const auto layers = static_cast<std::uint64_t>(parts.heights.x / kHeightLayer + 64) * 256 +
+                      static_cast<std::uint64_t>(parts.heights.y / kHeightLayer);
+  const std::uint64_t content = layers + (parts.plants.version() + parts.fixture_version) * 0x9e3779b1u;
+  const auto cast = [&parts, &pass](const glm::mat4& light) {
+    const bool unseen = pass.scene.unseen;
+    const ShaderProgram& program = pass.use(SceneProgram::plant_shadow);
+    program.set("view_projection", light);
+    program.set("cast_heights", pass.cast_heights);
+    if (!parts.fixtures.indices.empty()) {
+      if (!unseen) {
+        const Gl& gl = parts.gl;
+        gl.BindVertexArray(parts.fixture_array.id());
+        gl.VertexAttrib4f(4, 0, 0, 0, 1);
+        gl.VertexAttrib4f(5, 1, 0, 0, 0);
+        gl.VertexAttrib4f(6, 0.4f, 0, 0, 0);  // as wide as it is
+        gl.DrawElements(GL_TRIANGLES, GLsizei(parts.fixtures.indices.size()), GL_UNSIGNED_INT, nullptr);
+      }
+      pass.count(static_cast<std::int64_t>(parts.fixtures.indices.size() / 3));
+    }
+    if (!parts.planted) return;
+    const PlantCache::Drawn drawn = parts.plants.cast(light, unseen);
+    pass.stats.draw_calls += drawn.draw_calls, pass.stats.triangles += drawn.triangles;
+  };
+  return {content, parts.lowest, cast};
+}
+
+// Draws the patches in the picture, with the shadow maps where they reach; the water of those that have some.
+void ParkPasses::draw_patches(const PassContext& pass, const SunShadows& shadows, const ShaderProgram& program,
+                              bool water) const {
+  const Parts& parts = *parts_;
+  const bool unseen = pass.scene.unseen, shaded = pass.scene.shadows && !pass.scenery.drawing;
+  const auto level = static_cast<float>(pass.scene.ground->water());
+  program.set("view_projection", pass.view_projection);
+  program.set("eye", pass.scene.view.eye);
+  program.set("water", level);
+  program.set("cast_heights", parts.heights);
+  program.set("grain", kGrainUnit);
+  bind_texture(parts.gl, kGrainUnit, parts.grain.id());
+  shadows.bind(program);
+  int track = -1, trains = -1;
+  const auto take_shadows = [&](bool by_track, bool by_trains) {
+    if (track != int(by_track)) program.set("track_taps", track = int(by_track));
+    if (trains != int(by_trains)) program.set("train_taps", trains = int(by_trains));
+  };
+  for (const VisiblePatch& patch : parts.visible) {
+    const LandPatch& land = parts.mesh.patches()[patch.index];
+    if (water && land.low >= level) continue;
+    Box box = box_of(land);
+    if (water) box.low.y = box.high.y = level;
+    take_shadows(shaded && shadows.track().reaches(box), shaded && shadows.trains().reaches(box));
+    pass.count(parts.land.draw(parts.mesh, patch, unseen));
+  }
+  take_shadows(false, false);
+  if (water && parts.land.far().low >= level) return;
+  if (const std::int64_t far = parts.land.draw_far(pass.view_projection, unseen); far > 0) pass.count(far);
+}
+
+void ParkPasses::draw_fixtures(const PassContext& pass, const ShaderProgram& program) const {
+  const Parts& parts = *parts_;
+  if (parts.fixtures.indices.empty()) return;
+  program.set("water", static_cast<float>(world::kNoWater));  // tunnels are dry
+  program.set("track_taps", 1);
+  program.set("train_taps", 0);
+  if (!pass.scene.unseen) {
+    parts.gl.BindVertexArray(parts.fixture_array.id());
+    parts.gl.DrawElements(GL_TRIANGLES, GLsizei(parts.fixtures.indices.size()), GL_UNSIGNED_INT, nullptr);
+  }
+  pass.count(static_cast<std::int64_t>(parts.fixtures.indices.size() / 3));
+}
+
+void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows) const {
+  const Parts& parts = *parts_;
+  const ShaderProgram& program = pass.use(SceneProgram::plant);
+  program.set("view_projection", pass.view_projection);
+  program.set("eye", pass.scene.view.eye);
+  program.set("snow", pass.scene.ground->land().park().land == world::Land::snow ? 0.85f : 0.0f);
+  shadows.bind(program);
+  constexpr float kTapped = 150;  // m up to which plants stand in shadows
+  int taps = -1;
+  for (const VisiblePatch& patch : parts.visible) {
+    if (patch.metres > kPlantReach.back()) break;
+    Box box = box_of(parts.mesh.patches()[patch.index]);
+    box.high.y += kPlantHeight;
+    const bool shaded = pass.scene.shadows && patch.metres < kTapped && shadows.track().reaches(box);
+    if (taps != int(shaded)) program.set("taps", taps = int(shaded));
+    const PlantCache::Drawn drawn = parts.plants.draw(patch.index, pass.scene.view.eye, pass.scene.unseen);
+    pass.stats.draw_calls += drawn.draw_calls, pass.stats.triangles += drawn.triangles;
+  }
+}
+
+void ParkPasses::draw_land(const PassContext& pass, const SunShadows& shadows) const {
+  const Gl& gl = parts_->gl;
+  blend(gl, false);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.DepthMask(GL_TRUE);
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  const ShaderProgram& land = pass.use(pass.scenery.drawing ? SceneProgram::land_drawing : SceneProgram::land);
+  draw_patches(pass, shadows, land, false);
+  draw_fixtures(pass, land);
+  if (parts_->planted && !pass.scenery.drawing) draw_plants(pass, shadows);
+  bind_texture(gl, kLampUnit, parts_->lamp_map.id());  // for the track and the trains
+  gl.Disable(GL_CULL_FACE);
+}
+
+void ParkPasses::draw_water(const PassContext& pass, const SunShadows& shadows) const {
+  const Gl& gl = parts_->gl;
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.DepthMask(GL_FALSE);
+  blend(gl, true);
+  if (pass.scene.ground->water() > world::kNoWater && !pass.scenery.drawing) {
+    const ShaderProgram& water = pass.use(SceneProgram::water);
+    water.set("clock", static_cast<float>(std::fmod(pass.scene.seconds, 1000.0)));
+    water.set("waves", pass.scene.scenery == world::Scenery::plain ? 0.0f : 1.0f);
+    draw_patches(pass, shadows, water, true);
+  }
+  if (pass.lit) draw_lamps(pass);
+  gl.DepthMask(GL_TRUE);
+}
+
+void ParkPasses::draw_lamps(const PassContext& pass) const {
+  const Parts& parts = *parts_;
+  if (parts.lights.empty()) return;
+  const view::View& view = pass.scene.view;
+  const auto count = GLsizei(parts.lights.size());
+  parts.gl.BindVertexArray(parts.lamp_array.id());
+  for (const SceneProgram name : {SceneProgram::lamp_streak, SceneProgram::lamp}) {
+    if (name == SceneProgram::lamp_streak && pass.scene.ground->water() <= world::kNoWater) continue;
+    const ShaderProgram& program = pass.use(name);
+    program.set("view_projection", pass.view_projection);
+    program.set("eye", view.eye);
+    program.set("right", view::right_of(view));
+    program.set("up", view::top_of(view));
+    program.set("pixel", view::metres_per_pixel(view, 1) / (view.parallel > 0 ? view.parallel : 1));
+    program.set("water", static_cast<float>(pass.scene.ground->water()));
+    if (!pass.scene.unseen) parts.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    pass.count(std::int64_t{2} * count);
+  }
+}
+
+}  // namespace coaster::gfx

@@ -1,0 +1,66 @@
+// The plants on the GPU: one small mesh for each kind and level of detail, and an instance for each plant, kept by
+// patch and written only where plants or their light changed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gfx/growing_buffer.h"
+#include "gfx/park/land_mesh.h"
+#include "gfx/park/plant_models.h"
+#include "gfx/park/visible_patches.h"
+#include "sim/ground/plants.h"
+
+namespace coaster::gfx {
+
+class PlantCache {
+ public:
+  explicit PlantCache(const Gl& gl);
+
+  // Returns the bytes written.
+  std::int64_t sync(const sim::Plants& plants, const LandMesh& land);
+  void clear() { held_.clear(), ++version_; }
+  std::uint64_t version() const { return version_; }  // a new number when plants change
+
+  struct Drawn {
+    int draw_calls = 0;
+    std::int64_t triangles = 0;
+  };
+  // Draws the plants of a patch with the program in use (locations 0 position, 1 normal, 2 paint, 4 foot and size, 5
+  // cosine and sine of the turn, 6 tint, sun and lamp), each group of neighbours at the level of its distance to `eye`.
+  Drawn draw(std::size_t patch, glm::vec3 eye, bool unseen) const;
+  // Draws them into a shadow map, coarsely. `light`: the map's clip space.
+  Drawn cast(const glm::mat4& light, bool unseen) const;
+
+ private:
+  static constexpr int kGroups = 4;          // along a patch's side: squares of 16 m
+  static constexpr std::size_t kMost = 192;  // plants of a patch
+  static constexpr std::size_t kAllGroups = kGroups * kGroups;
+  struct Instance {
+    glm::vec3 foot{0};  // m
+    float size = 1;
+    std::array<std::int8_t, 4> turn{};   // cosine and sine, in 1/127
+    std::array<std::uint8_t, 4> look{};  // tint, sun, lamp, in 1/255
+  };
+  struct Held {
+    std::uint64_t plants = 0, light = 0;
+    Box box;
+    // Where each group's instances of a kind begin, in the patch's own, and their end.
+    std::array<std::array<std::uint16_t, kAllGroups + 1>, kPlantKinds> begins{};
+  };
+  void write(std::size_t patch, std::span<const sim::Plant> plants, const LandMesh& land);
+  void draw_run(std::size_t patch, std::size_t kind, PlantLevel level, std::size_t begin, std::size_t end, bool unseen,
+                Drawn& drawn) const;
+
+  const Gl* gl_;
+  GrowingBuffer<LandVertex> vertices_;
+  GrowingBuffer<std::uint16_t> indices_;
+  GrowingBuffer<Instance> instances_;
+  std::array<std::array<Range, kPlantLevels>, kPlantKinds> models_;  // their indices
+  GlObject array_;
+  std::vector<Held> held_;
+  std::uint64_t version_ = 1;
+};
+
+}  // namespace coaster::gfx
