@@ -13,6 +13,7 @@
 #include "world/aid_settings.h"
 #include "world/appearance_settings.h"
 #include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::app {
 namespace {
@@ -105,7 +106,11 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   const edit::SessionFindings find(program.session);
   scene.ground = &find.ground();
   scene.scenery = session.settings.look->scenery;
-  if (!scene.ground->plain() && scene.scenery != world::Scenery::plain) scene.plants = &find.plants();
+  if (scene.scenery != world::Scenery::plain) {
+    if (!scene.ground->plain()) scene.plants = &find.plants();
+    if (scene.style != world::Style::blueprint) scene.stations = &find.stations();
+    if (session.settings.panels->workspace == world::Workspace::ride) scene.show_polyline = false;
+  }
   program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;

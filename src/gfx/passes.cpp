@@ -180,7 +180,7 @@ void draw_track(const PassContext& pass, const TrackCache& track) {
   if (!pass.scene.unseen) track.swept().draw();
   pass.stats.draw_calls += track.swept().draw_calls();
   pass.stats.triangles += track.swept().triangles();
-  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
+  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh(), &track.buildings()}) {
     if (pool->index_count() == 0) continue;
     pass.stats.draw_calls += pass.scene.unseen ? pool->draw_calls() : pool->draw();
     pass.stats.triangles += pool->triangles();
@@ -336,6 +336,7 @@ void choose_detail(const Scene& scene, TrackCache& track) {
   track.swept().look_from(scene.view.eye, reach);
   track.mesh().look_from(scene.view.eye, reach.full);
   track.supports().mesh().look_from(scene.view.eye, reach.full);
+  track.buildings().look_from(scene.view.eye, reach.full);
 }
 
 // Sets up the program that draws solids into a shadow map.
@@ -350,7 +351,8 @@ void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& lig
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
   for (const ShadowDrawStats& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
-                                      track.supports().mesh().cast(light, unseen)}) {
+                                      track.supports().mesh().cast(light, unseen),
+                                      track.buildings().cast(light, unseen)}) {
     pass.stats.draw_calls += cast.draw_calls;
     pass.stats.triangles += cast.triangles;
   }

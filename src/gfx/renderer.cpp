@@ -58,6 +58,7 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   paint.sync(scene.derived, scene.document);
   instances.upload(scene.overlay, scene.carts, scene.view.eye, scene.derived.made.kind);
   if (ParkPasses::shows(scene)) park.upload(scene, scenery_of(scene.style), stats);
+  stats.park_upload_bytes += track.sync_buildings(scene.stations);
 }
 
 Renderer::Renderer(const Gl& gl, int samples)

@@ -21,6 +21,7 @@ namespace coaster::sim {
 class Ground;
 class Plants;
 class Supports;
+struct StationBuildings;
 }  // namespace coaster::sim
 
 namespace coaster::gfx {
@@ -42,6 +43,7 @@ struct Scene {
   const world::Document* document = nullptr;  // whose paint shows; null: the usual paint of the track's kind
   const sim::Ground* ground = nullptr;        // null: the plane y = 0
   const sim::Plants* plants = nullptr;        // null: none are drawn
+  const sim::StationBuildings* stations = nullptr;  // null: platforms stand alone
   world::Scenery scenery{};
   double seconds = 3;  // clock of waves, which only a ride moves on
   float detail = 1;    // factor of the distances from which on the track is coarse

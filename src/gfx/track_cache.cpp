@@ -55,7 +55,14 @@ static_assert(kControlBytes == 48, "so are control points");
 }  // namespace
 
 TrackCache::TrackCache(const Gl& gl)
-    : gl_(&gl), lines_(gl), controls_(gl), swept_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
+    : gl_(&gl),
+      lines_(gl),
+      controls_(gl),
+      swept_(gl),
+      mesh_(gl),
+      supports_(gl),
+      buildings_(gl),
+      line_array_(make_vertex_array(gl)) {}
 
 TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
@@ -305,6 +312,17 @@ void TrackCache::link_lines() {
   for (std::size_t attribute = 0; attribute < 4; ++attribute)
     float_attribute(*gl_, GLuint(attribute), 3, kStride, attribute * kStride / 2, 1);
   gl_->BindVertexArray(0);
+}
+
+std::int64_t TrackCache::sync_buildings(const sim::StationBuildings* stations) {
+  const std::uint64_t build = stations != nullptr && !stations->mesh.indices.empty() ? stations->build : 0;
+  if (building_build_ == build) return 0;
+  building_build_ = build;
+  if (build == 0) return buildings_.release(building_), 0;
+  sim::Mesh mesh = stations->mesh;
+  const sim::Clock unmeasured;
+  Stopwatch watch{unmeasured};
+  return buildings_.write(mesh, building_, watch);
 }
 
 }  // namespace coaster::gfx

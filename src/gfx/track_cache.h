@@ -13,6 +13,7 @@
 #include "gfx/segment_detail_levels.h"
 #include "gfx/swept_track.h"
 #include "sim/shape/detail_limits.h"
+#include "sim/solids/station_mesh.h"
 #include "sim/solids/supports.h"
 
 namespace coaster::gfx {
@@ -90,8 +91,14 @@ class TrackCache {
   // Returns the supports, which have separate buffers and counters.
   SupportCache& supports() { return supports_; }
   const SupportCache& supports() const { return supports_; }
+  // Holds these buildings of stations from now on; null: none. Returns the bytes written.
+  std::int64_t sync_buildings(const sim::StationBuildings* stations);
+  MeshPool& buildings() { return buildings_; }
+  const MeshPool& buildings() const { return buildings_; }
   // Changes whenever any of these is written or removed.
-  std::uint64_t mesh_version() const { return swept_.version() + mesh_.version() + supports_.mesh().version(); }
+  std::uint64_t mesh_version() const {
+    return swept_.version() + mesh_.version() + supports_.mesh().version() + buildings_.version();
+  }
   // Binds the array whose instance i is the line from vertex i to vertex i+1: locations 0 and 1 are position and
   // tangent of vertex i, 2 and 3 of vertex i+1.
   void bind_lines() const { gl_->BindVertexArray(line_array_.id()); }
@@ -161,6 +168,9 @@ class TrackCache {
   SweptTrack swept_;
   MeshPool mesh_;
   SupportCache supports_;
+  MeshPool buildings_;
+  MeshPool::Id building_ = MeshPool::kNone;
+  std::uint64_t building_build_ = 0;
   GlObject line_array_;
   RangeAllocator line_ranges_, control_ranges_;
   std::vector<Slot> slots_;         // by the entity's index

@@ -1,5 +1,8 @@
 #include "edit/session/findings.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "edit/session/findings_memory.h"
 #include "sim/shape/polyline_error.h"
 #include "sim/study/ratings.h"
@@ -143,6 +146,17 @@ const sim::Ground& SessionFindings::ground() const {
 const sim::Plants& SessionFindings::plants() const {
   memory().plants.update(ground());
   return memory().plants;
+}
+
+const sim::StationBuildings& SessionFindings::stations() const {
+  const sim::Ground& on = ground();
+  sim::StationBuildings& known = memory().stations.value;
+  return memory().stations.get({session_->edits, on.build()}, [&] {
+    sim::Mesh made = sim::station_mesh(session_->derived, on, session_->document.name);
+    const bool same = std::ranges::equal(made.vertices, known.mesh.vertices, {}, &sim::MeshVertex::position,
+                                         &sim::MeshVertex::position);
+    return sim::StationBuildings{std::move(made), known.build + (same ? 0 : 1)};
+  });
 }
 
 double SessionFindings::chord_error() const {

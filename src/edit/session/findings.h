@@ -22,6 +22,7 @@ class RideCache;
 class RailTables;
 class Riders;
 class Supports;
+struct StationBuildings;
 struct CircuitProposals;
 struct Conflict;
 struct ElementPlan;
@@ -82,6 +83,7 @@ class SessionFindings {
   void look_from(const sim::EyeSurroundings& around) const;  // says where the eye is
   const sim::Ground& ground() const;                         // as it is cut to the track
   const sim::Plants& plants() const;                         // on that ground
+  const sim::StationBuildings& stations() const;             // roofs, gates, boards and queues
   double chord_error() const;                                // m, largest distance of a piece from its chord
   double deviation() const;                                  // m, from the challenge's start track; 0 without one
 

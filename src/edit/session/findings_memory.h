@@ -18,6 +18,7 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
+#include "sim/solids/station_mesh.h"
 #include "sim/solids/supports.h"
 #include "sim/study/closing_replan.h"
 #include "sim/study/colour_values.h"
@@ -54,7 +55,8 @@ struct FindingsCache {
   sim::TrackValueCache values;
   sim::Ground ground;
   sim::Plants plants;
-  sim::NearSegments near;          // to the eye
+  base::CachedValue<std::pair<std::uint64_t, std::uint64_t>, sim::StationBuildings> stations;  // by edits and ground
+  sim::NearSegments near;                                                                      // to the eye
   sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
   base::CachedValue<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
   base::CachedValue<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps

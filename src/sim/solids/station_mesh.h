@@ -2,6 +2,7 @@
 // queue with a plaza and a path. Decoration: nothing depends on it.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "sim/ground/ground.h"
@@ -14,6 +15,10 @@ namespace coaster::sim {
 // long. The board shows the first kMostLetters of `name` in capitals; other characters than Latin letters, digits and
 // common marks are blanks.
 inline constexpr std::size_t kMostLetters = 24;
+struct StationBuildings {
+  Mesh mesh;
+  std::uint64_t build = 0;  // a new number when the solids change
+};
 Mesh station_mesh(const DerivedTrack& derived, const Ground& ground, std::string_view name);
 
 }  // namespace coaster::sim
