@@ -31,7 +31,7 @@ double smooth_min(double a, double b) {
 }
 
 bool same(const TrackSample& a, const TrackSample& b) {
-  return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel;
+  return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel && a.wish == b.wish;
 }
 
 int tile_of(double x) { return static_cast<int>(std::floor(x / kTile)); }
