@@ -48,9 +48,12 @@ std::optional<SectionRun> completing(const Document& document, std::size_t knot)
   return std::nullopt;
 }
 
+void take_look(const Section& from, Section& to) { to.paint = from.paint, to.earthwork = from.earthwork; }
+
 Section without_plan(const Section& section) {
   Section shaped;
-  shaped.title = section.title, shaped.paint = section.paint;
+  shaped.title = section.title;
+  take_look(section, shaped);
   return shaped;
 }
 

@@ -33,6 +33,8 @@ bool is_free(const Document& document, Entity section);
 // nothing on an open track or if there is none.
 std::optional<SectionRun> completing(const Document& document, std::size_t knot);
 
+// Gives a section the paint and the earthwork of another.
+void take_look(const Section& from, Section& to);
 // Returns the section as hand-shaped, with its title and paint.
 Section without_plan(const Section& section);
 // Returns "free" or the name of the element, as in scripts and files.

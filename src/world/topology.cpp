@@ -338,7 +338,7 @@ Entity make_section(Document& document, std::size_t first, std::size_t count, Se
   const auto put = [&](std::size_t i, Entity e) { document.entities.get<Segment>(segments[i]).section = e; };
   if (before == after && before.valid()) {
     const Entity rest = create_section(document);
-    document.entities.get<Section>(rest).paint = section(document, before).paint;
+    take_look(section(document, before), document.entities.get<Section>(rest));
     for (std::size_t i = first + count; section_at(document, i) == before; ++i) put(i, rest);
   }
   Entity made;

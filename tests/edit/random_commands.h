@@ -69,6 +69,8 @@ class RandomCommands {
     if (below(2)) v.scale.reset(), v.smooth.reset();
   }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
+  void fill(glm::vec2& v) { v = {number(), number()}; }
+  void fill(edit::WaterLevel& v) { v.level = below(4) == 0 ? world::kNoWater : number(); }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }
   void fill(int& v) { v = static_cast<int>(below(2000)) - 1000; }

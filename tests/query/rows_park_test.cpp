@@ -46,10 +46,11 @@ TEST_F(ParkRows, tell_of_a_park) {
   good("park.water none");
   EXPECT_EQ(ask("park.water"), "none");
   const sim::Land land(session.document.park);
-  EXPECT_EQ(number("ground.height", "100,-60"), land.height(100, -60));
-  EXPECT_GT(number("trees"), 500);
+  EXPECT_NEAR(number("ground.height", "100,-60"), land.height(100, -60), 1e-5) << "drawn in float";
+  const double trees = number("trees");
+  EXPECT_GT(trees, 1000);
   good("park.woods 0");
-  EXPECT_LT(number("trees"), 500);
+  EXPECT_LT(number("trees"), 0.5 * trees);
   good("ground.raise at 100 -60 radius 20 by 5");
   EXPECT_NEAR(number("ground.height", "100,-60"), land.height(100, -60) + 5, 0.05);
   EXPECT_GT(number("park.tiles"), 0);
@@ -64,7 +65,7 @@ TEST_F(ParkRows, a_track_through_a_hill_is_a_tunnel_or_a_cut) {
   EXPECT_EQ(ask("tunnels"), "1");
   const double length = number("tunnels.length");
   EXPECT_GT(length, 20);
-  EXPECT_LT(length, 80);
+  EXPECT_LT(length, 100);
   EXPECT_GT(number("ground.clearance"), 0.5) << "outside the tunnel";
   good("section.earthwork all to cut");
   EXPECT_EQ(ask("tunnels"), "0");

@@ -99,7 +99,9 @@ TEST(park, limits_are_invariants) {
 }
 
 TEST(park, an_undo_step_counts_the_tiles_that_it_alone_holds) {
-  const Document none = with_tiles({}), one = with_tiles({{{0, 0}, tile_with(4)}});
+  const Document none = with_tiles({});
+  Document one = none;
+  one.park.tiles.put(Tiles{{{0, 0}, tile_with(4)}});
   Document two = one;
   two.park.tiles.put(Tiles{{{1, 0}, tile_with(4)}});
   Document other = two;

@@ -155,9 +155,10 @@ Status append_run(const Document& from, const SectionRun& run, Document& documen
   return {};
 }
 
-// Copies what a section looks like, but not its plan.
-void take_look(const world::Section& from, world::Section& section) {
-  section.title = from.title, section.paint = from.paint;
+// Copies name and look of a section, but not its plan.
+void take_name(const world::Section& from, world::Section& section) {
+  section.title = from.title;
+  world::take_look(from, section);
 }
 
 // Adds a section at the open end, planned again from there if it was planned. Its segments get the fittings of those of
@@ -168,12 +169,12 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
   if (value.kind == world::SectionKind::element) {
     const sim::ElementPlan plan = sim::plan_element(value.element, document);
     if (!plan.refusal.empty()) return refused(plan.refusal);
-    take_look(value, document.entities.get<world::Section>(place(document, plan)));
+    take_name(value, document.entities.get<world::Section>(place(document, plan)));
     change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   } else if (const auto end = sim::open_end(document); end && value.kind == world::SectionKind::force) {
     const sim::ForcePlan plan = sim::plan_force(sim::force_task(document, *end, value.force));
     if (!plan.refusal.empty()) return refused(plan.refusal);
-    take_look(value, document.entities.get<world::Section>(place_force(document, plan)));
+    take_name(value, document.entities.get<world::Section>(place_force(document, plan)));
   } else if (const Status appended = append_run(from, run, document); !appended) {
     return appended;
   }
@@ -258,7 +259,7 @@ Status perform(Session& session, Change& change, const MakeSection& command) {
   if (first + count > document.track.segments.size())
     return refused("a section cannot continue beyond the first knot of a closed track");
   world::Section made;
-  made.paint = world::section(document, world::segment(document, document.track.segments[first]).section).paint;
+  world::take_look(world::section(document, world::segment(document, document.track.segments[first]).section), made);
   change.select = world::make_section(document, first, count, std::move(made));
   return {};
 }
@@ -276,7 +277,7 @@ Status perform(Session& session, Change& change, const SplitSection& command) {
     return refused(fmt::format("@{} is not inside a section", world::label_of(document, knot)));
   const SectionRun run = world::run_of(document, section);
   world::Section rest;
-  rest.paint = world::section(document, section).paint;
+  world::take_look(world::section(document, section), rest);
   change.select = world::make_section(document, at, run.end() - at, std::move(rest));
   return {};
 }

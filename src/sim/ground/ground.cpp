@@ -31,7 +31,7 @@ double smooth_min(double a, double b) {
 }
 
 bool same(const TrackSample& a, const TrackSample& b) {
-  return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel;
+  return a.at == b.at && a.station == b.station && a.tunnel == b.tunnel && a.wish == b.wish;
 }
 
 // True if a segment may change ground within the largest square.

@@ -155,7 +155,7 @@ TEST(park_member, damaged_tiles_are_refused_with_the_reason) {
   };
   EXPECT_EQ(why(tiles_at({{-12, -12}, {0, 3}, {11, 11}})), "");
   EXPECT_EQ(why(tiles_at({{12, 0}})), "tile (12, 0) is outside the park");
-  EXPECT_EQ(why(tiles_at({{0, -13}})), "tile (0, 115) is outside the park") << "-1 is the byte 255";
+  EXPECT_EQ(why(tiles_at({{0, -13}})), "tile (0, 243) is outside the park") << "-1 is the byte 255";
   EXPECT_EQ(why(tiles_at({{1, 1}, {1, 1}})), "tile (1, 1) is out of order");
   EXPECT_EQ(why(tiles_at({{1, 1}, {0, 1}})), "tile (0, 1) is out of order");
   EXPECT_EQ(why(tiles_at({{0, 0}}, 32000)), "");

@@ -60,6 +60,7 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "ui_scale": 1,
   "theme": "dark",
   "style": "day",
+  "scenery": "park",
   "units": "m_s",
   "shadows": true,
   "sound": 0.5,
@@ -77,6 +78,7 @@ TEST(settings_file, the_file_of_a_new_user_is_this) {
   "hints": true,
   "card": true,
   "gizmo": true,
+  "new_land": "hills",
   "start_screen": true,
   "keys": {}
 }

@@ -72,7 +72,7 @@ TEST_P(BrushTest, flattening_makes_the_middle_level_and_doing_it_again_changes_n
   park.tiles = flattened(land(), brush, 7.25);
   for (int i = -4; i <= 4; ++i) EXPECT_EQ(land().vertex({-45 + i, -10}), 7.25);
   world::Park again = park;
-  for (int i = 0; i < 60; ++i) again.tiles = flattened(Land(again), brush, 7.25);
+  for (int i = 0; i < 500; ++i) again.tiles = flattened(Land(again), brush, 7.25);
   const world::GroundTiles settled = flattened(Land(again), brush, 7.25);
   EXPECT_TRUE(settled == again.tiles);
 }
