@@ -87,6 +87,9 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   const edit::SessionFindings find(program.session);
   scene.ground = &find.ground();
   scene.scenery = session.settings.look->scenery;
+  // A ride moves the waves; otherwise pictures of one scene are equal.
+  if (session.motion.state != world::RideState::stopped)
+    scene.seconds = static_cast<double>(session.tick) * world::kTick;
   if (!scene.ground->plain() && scene.scenery != world::Scenery::plain) scene.plants = &find.plants();
   program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
