@@ -35,8 +35,10 @@ void main() {
   vec3 mirror = reflect(-to_eye, normal);
   vec2 ripple = 0.7 * swell;  // m by which waves displace shadows
   float sun = reached.x;
-  for (int i = 0; i < track_taps; ++i) sun *= 1.0 - 0.85 * cover(track_cover, track_at + ripple * track_texel.y / track_texel.x);
-  for (int i = 0; i < train_taps; ++i) sun *= 1.0 - 0.85 * cover(train_cover, train_at + ripple * train_texel.y / train_texel.x);
+  for (int i = 0; i < track_taps; ++i)
+    sun *= 1.0 - 0.85 * cover(track_cover, track_at + ripple * track_texel.y / track_texel.x);
+  for (int i = 0; i < train_taps; ++i)
+    sun *= 1.0 - 0.85 * cover(train_cover, train_at + ripple * train_texel.y / train_texel.x);
   vec3 sunlight = air.sun_light.rgb * sun, over = air.sky_light.rgb + sunlight * air.sun.y;
   vec3 seen = mirrored_sky(max(mirror.y, 0.0));
   seen = mix(seen, vec3(0.045, 0.070, 0.035) * (air.sky_light.rgb + 0.5 * air.sun_light.rgb),

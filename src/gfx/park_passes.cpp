@@ -266,7 +266,7 @@ void ParkPasses::draw_land(const PassContext& pass, const SunShadows& shadows) c
   const ShaderProgram& land = pass.use(pass.scenery.drawing ? SceneProgram::land_drawing : SceneProgram::land);
   draw_patches(pass, shadows, land, false);
   draw_fixtures(pass, land);
-  if (parts_->planted && !pass.scenery.drawing) draw_plants(pass, shadows);
+  if (parts_->planted && !pass.scenery.drawing && !along_ground(pass.scene.view)) draw_plants(pass, shadows);
   bind_texture(gl, kLampUnit, parts_->lamp_map.id());  // for the track and the trains
   gl.Disable(GL_CULL_FACE);
   if (along_ground(pass.scene.view)) gl.Clear(GL_DEPTH_BUFFER_BIT);
