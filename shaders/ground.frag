@@ -1,5 +1,5 @@
 // The plane y = 0 by the ray of each pixel: no geometry, so no far edge. Its depth marks where ground_shadow.frag must
-// run.
+// run. With NO_GRID a lawn without lines.
 uniform vec3 eye;                // above it
 uniform vec3 eye_right, eye_up;  // of an orthographic view: from its middle to its edges; else 0
 in vec3 direction;
@@ -23,8 +23,12 @@ vec3 ground_paint(vec2 place, vec2 footprint) {
   float width = max(footprint.x, footprint.y);
   float uneven = 0.6 * noise(place / 37.0) + 0.4 * noise(place / 9.0 + 17.0) * (1.0 - smoothstep(3.0, 9.0, width));
   vec3 paint = air.ground.rgb * (1.0 + air.ground.w * uneven);
+#ifdef NO_GRID
+  return paint;
+#else
   float one = grid(place, footprint, 1.0, 0.03), ten = grid(place, footprint, 10.0, 0.1);
   return mix(paint, air.grid.rgb, air.grid.w * max(0.36 * one, ten));
+#endif
 }
 
 void main() {

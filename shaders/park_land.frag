@@ -23,10 +23,13 @@ float cover(sampler2D map, vec3 at) {
 
 void main() {
 #ifdef BLUEPRINT
-  float two = abs(fract(0.5 * height + 0.5) - 0.5) / max(fwidth(0.5 * height), 1e-5),
-        ten = abs(fract(0.1 * height + 0.5) - 0.5) / max(fwidth(0.1 * height), 1e-5);
-  float line = max(0.55 * (1.0 - smoothstep(0.4, 1.2, two)) * (1.0 - smoothstep(0.1, 0.4, fwidth(0.5 * height))),
-                   1.0 - smoothstep(0.6, 1.5, ten));
+  // Every two metres, and stronger every ten; level ground has none.
+  float steep = fwidth(height), at = height + 1.0;
+  float two = abs(fract(0.5 * at + 0.5) - 0.5) / max(0.5 * steep, 1e-5),
+        ten = abs(fract(0.1 * at + 0.5) - 0.5) / max(0.1 * steep, 1e-5);
+  float line = max(0.55 * (1.0 - smoothstep(0.4, 1.2, two)) * (1.0 - smoothstep(0.2, 0.8, steep)),
+                   (1.0 - smoothstep(0.6, 1.5, ten)) * (1.0 - smoothstep(1.0, 4.0, steep)));
+  line *= smoothstep(0.0, 0.004, steep);
   colour = vec4(encode(mix(air.ground.rgb, air.grid.rgb, air.grid.w * line)), 1.0);
 #else
   vec2 rough = mix(vec2(0.5), texture(grain, place.xy).rg, place.z);

@@ -2,6 +2,7 @@
 uniform vec3 eye;
 uniform sampler2D grain;
 uniform sampler2D track_cover, train_cover;
+uniform vec2 track_texel, train_texel;  // a texel's side in metres, and as a fraction of the map
 uniform int track_taps, train_taps;
 uniform float clock;  // s
 uniform float waves;  // 1; 0: flat
@@ -14,7 +15,7 @@ out vec4 colour;
 
 float cover(sampler2D map, vec2 at) {
   vec2 edge = 0.5 - abs(at - 0.5);
-  return clamp(25.0 * min(edge.x, edge.y), 0.0, 1.0) * texture(map, at, 1.6).r;
+  return clamp(25.0 * min(edge.x, edge.y), 0.0, 1.0) * texture(map, at, 2.0).r;
 }
 
 // The sky where a mirrored ray goes: that of common.glsl, with the distant air found by vertex and without the glow.
@@ -32,17 +33,21 @@ void main() {
   float calm = 1.0 / (1.0 + metres / 90.0);
   vec3 normal = normalize(vec3(0.20 * swell.x * calm, 1.0, 0.20 * swell.y * calm));
   vec3 mirror = reflect(-to_eye, normal);
+  vec2 ripple = 0.7 * swell;  // m by which waves displace shadows
   float sun = reached.x;
-  for (int i = 0; i < track_taps; ++i) sun *= 1.0 - 0.85 * cover(track_cover, track_at + 0.012 * swell);
-  for (int i = 0; i < train_taps; ++i) sun *= 1.0 - 0.85 * cover(train_cover, train_at + 0.012 * swell);
+  for (int i = 0; i < track_taps; ++i)
+    sun *= 1.0 - 0.85 * cover(track_cover, track_at + ripple * track_texel.y / track_texel.x);
+  for (int i = 0; i < train_taps; ++i)
+    sun *= 1.0 - 0.85 * cover(train_cover, train_at + ripple * train_texel.y / train_texel.x);
   vec3 sunlight = air.sun_light.rgb * sun, over = air.sky_light.rgb + sunlight * air.sun.y;
   vec3 seen = mirrored_sky(max(mirror.y, 0.0));
   seen = mix(seen, vec3(0.045, 0.070, 0.035) * (air.sky_light.rgb + 0.5 * air.sun_light.rgb),
-             0.75 * (1.0 - smoothstep(0.02, 0.16, mirror.y)));
+             0.6 * (1.0 - smoothstep(0.01, 0.13, mirror.y)));
   float away = 1.0 - max(dot(normal, to_eye), 0.0), away_2 = away * away;
   float fresnel = 0.02 + 0.98 * away_2 * away_2 * away;
   vec3 body = mix(vec3(0.055, 0.190, 0.170), vec3(0.016, 0.098, 0.118), 1.0 - exp(-0.45 * max(depth, 0.0))) *
               (air.sky_light.rgb + air.sun_light.rgb * air.sun.y * (0.45 + 0.55 * sun));
+  body *= 1.0 + 0.16 * (swell.x + swell.y);
   vec3 light = mix(body, seen, fresnel);
   light += 0.5 * reached.y * vec3(1.0, 0.62, 0.30) * (0.06 + 0.3 * fresnel);
   float glint = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0), glint_2 = glint * glint;

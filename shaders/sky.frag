@@ -35,6 +35,10 @@ vec3 heavens(vec3 sight) {
   vec3 light = sky(sight);
   if (air.middle.w > 0.0) light = mix(light, 1.08 * far_air(sight), clouds(sight));
   light += air.glow.w * vec3(1.0, 0.93, 0.8) * smoothstep(0.99984, 0.99992, dot(sight, air.sun.xyz));
+#ifdef HALO
+  float halo = to_90(max(dot(sight, air.sun.xyz), 0.0)), halo_2 = halo * halo;
+  light += air.glow.rgb * (0.55 * halo_2 + 0.9 * halo_2 * halo_2 * halo_2);
+#endif
   for (int i = 0; i < int(air.zenith.w); ++i) light += stars(sight);
   if (air.hills.w <= 0.0) return light;
   float height = sight.y / max(length(sight.xz), 1e-4);

@@ -106,6 +106,9 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   const edit::SessionFindings find(program.session);
   scene.ground = &find.ground();
   scene.scenery = session.settings.look->scenery;
+  // A ride moves the waves; otherwise pictures of one scene are equal.
+  if (session.motion.state != world::RideState::stopped)
+    scene.seconds = static_cast<double>(session.tick) * world::kTick;
   if (scene.scenery != world::Scenery::plain) {
     if (!scene.ground->plain()) scene.plants = &find.plants();
     if (scene.style != world::Style::blueprint) scene.stations = &find.stations();

@@ -41,6 +41,9 @@ Box box_of(const LandPatch& patch) {
   return box;
 }
 
+// True for orthographic views along the ground. There the land is a backdrop that hides no track.
+bool along_ground(const view::View& view) { return view.parallel > 0 && line_of_sight(view).y > -0.5f; }
+
 }  // namespace
 
 struct ParkPasses::Parts {
@@ -212,6 +215,7 @@ void ParkPasses::draw_patches(const PassContext& pass, const SunShadows& shadows
   }
   take_shadows(false, false);
   if (water && parts.land.far().low >= level) return;
+  if (along_ground(pass.scene.view)) return;  // it would hide the track
   if (const std::int64_t far = parts.land.draw_far(pass.view_projection, unseen); far > 0) pass.count(far);
 }
 
@@ -222,8 +226,10 @@ void ParkPasses::draw_fixtures(const PassContext& pass, const ShaderProgram& pro
   program.set("track_taps", 1);
   program.set("train_taps", 0);
   if (!pass.scene.unseen) {
+    parts.gl.Disable(GL_CULL_FACE);  // tubes show through the open land behind a portal
     parts.gl.BindVertexArray(parts.fixture_array.id());
     parts.gl.DrawElements(GL_TRIANGLES, GLsizei(parts.fixtures.indices.size()), GL_UNSIGNED_INT, nullptr);
+    parts.gl.Enable(GL_CULL_FACE);
   }
   pass.count(static_cast<std::int64_t>(parts.fixtures.indices.size() / 3));
 }
@@ -250,6 +256,7 @@ void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows)
 
 void ParkPasses::draw_land(const PassContext& pass, const SunShadows& shadows) const {
   const Gl& gl = parts_->gl;
+  if (along_ground(pass.scene.view)) draw_sky_behind(pass);
   blend(gl, false);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
@@ -259,18 +266,20 @@ void ParkPasses::draw_land(const PassContext& pass, const SunShadows& shadows) c
   const ShaderProgram& land = pass.use(pass.scenery.drawing ? SceneProgram::land_drawing : SceneProgram::land);
   draw_patches(pass, shadows, land, false);
   draw_fixtures(pass, land);
-  if (parts_->planted && !pass.scenery.drawing) draw_plants(pass, shadows);
+  if (parts_->planted && !pass.scenery.drawing && !along_ground(pass.scene.view)) draw_plants(pass, shadows);
   bind_texture(gl, kLampUnit, parts_->lamp_map.id());  // for the track and the trains
   gl.Disable(GL_CULL_FACE);
+  if (along_ground(pass.scene.view)) gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
-void ParkPasses::draw_water(const PassContext& pass, const SunShadows& shadows) const {
+void ParkPasses::draw_sky_and_water(const PassContext& pass, const SunShadows& shadows) const {
   const Gl& gl = parts_->gl;
+  if (!along_ground(pass.scene.view)) draw_sky_behind(pass);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
   gl.DepthMask(GL_FALSE);
   blend(gl, true);
-  if (pass.scene.ground->water() > world::kNoWater && !pass.scenery.drawing) {
+  if (pass.scene.ground->water() > world::kNoWater && !pass.scenery.drawing && !along_ground(pass.scene.view)) {
     const ShaderProgram& water = pass.use(SceneProgram::water);
     water.set("clock", static_cast<float>(std::fmod(pass.scene.seconds, 1000.0)));
     water.set("waves", pass.scene.scenery == world::Scenery::plain ? 0.0f : 1.0f);

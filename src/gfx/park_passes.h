@@ -24,9 +24,9 @@ class ParkPasses {
   // What casts shadows besides track and trains. Valid as long as `pass`.
   SunShadows::ParkCasters casters(const PassContext& pass) const;
 
-  // Draws land, tunnels and plants, before track and trains; then water and lamps, after them and the sky.
+  // Draws land, tunnels and plants, before track and trains; then sky, water and lamps.
   void draw_land(const PassContext& pass, const SunShadows& shadows) const;
-  void draw_water(const PassContext& pass, const SunShadows& shadows) const;
+  void draw_sky_and_water(const PassContext& pass, const SunShadows& shadows) const;
 
  private:
   void upload_lamps(const Scene& scene, const SceneStyle& style);

@@ -16,6 +16,7 @@
 #include "sim/solids/materials.h"
 #include "sim/solids/track_mesh.h"
 #include "view/colour_map.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 namespace {
@@ -39,7 +40,9 @@ base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) 
       {"coverage", "", "", coverage_vert(), coverage_frag()},
       {"line", "", line_glsl(), line_vert(), line_frag()},
       {"mark", "", "", mark_vert(), mark_frag()},
-      {"park_sky", "#define BEHIND\n", "", backdrop_vert(), sky_frag()},
+      {"lawn", "#define NO_GRID\n", shade_glsl(), backdrop_vert(), ground_frag()},
+      {"haloed_sky", "#define HALO\n", "", backdrop_vert(), sky_frag()},
+      {"park_sky", "#define BEHIND\n#define HALO\n", "", backdrop_vert(), sky_frag()},
       {"park_solid", "#define PARK\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_outline", "#define PARK\n#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_shadow", "#define PARK\n#define SHADOW\n", "", mesh_vert(), shadow_frag()},
@@ -77,6 +80,11 @@ ViewportPolygon part_of_viewport(float a, float b, float c) {
   return part;
 }
 
+// True for the backdrop that is drawn to measure and to print: with a grid, and a sun without a halo.
+bool plain_backdrop(const PassContext& pass) {
+  return pass.scene.scenery == world::Scenery::plain || pass.scenery.drawing;
+}
+
 struct Rays {
   glm::vec3 forward, right, up;            // right and up: to the viewport's edges at distance 1
   glm::vec3 eye, eye_right{0}, eye_up{0};  // m; origin of the rays, and its change towards the edges
@@ -99,7 +107,7 @@ void draw_part(const PassContext& pass, const ShaderProgram& program, const Rays
 // without shadow therefore cost little.
 void draw_ground(const PassContext& pass, const SunShadows& shadows, const Rays& rays, const ViewportPolygon& part) {
   const Gl& gl = pass.gl;
-  const ShaderProgram& ground = pass.use(SceneProgram::ground);
+  const ShaderProgram& ground = pass.use(plain_backdrop(pass) ? SceneProgram::ground : SceneProgram::lawn);
   shadows.bind(ground);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_ALWAYS);
@@ -124,7 +132,9 @@ void draw_sky(const PassContext& pass, const Rays& rays, const ViewportPolygon& 
   if (part.count < 3) return;
   const view::View& view = pass.scene.view;
   const float by_distance = view.parallel > 0 ? view.parallel : 1;
-  const ShaderProgram& program = pass.use(pass.park ? SceneProgram::park_sky : SceneProgram::sky);
+  const ShaderProgram& program = pass.use(pass.park              ? SceneProgram::park_sky
+                                          : plain_backdrop(pass) ? SceneProgram::sky
+                                                                 : SceneProgram::haloed_sky);
   program.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
   draw_part(pass, program, rays, part);
 }

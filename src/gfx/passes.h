@@ -28,7 +28,9 @@ enum class SceneProgram {
   coverage,
   line,
   mark,
-  // Of a park.
+  // Of scenery that is not plain, and of a park.
+  lawn,
+  haloed_sky,
   park_sky,
   park_solid,
   park_outline,

@@ -106,10 +106,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   if (pass.park) parts.park.draw_land(pass, parts.shadows);
   else draw_backdrop(pass, parts.shadows);
   draw_solids(pass, parts.track, parts.instances, parts.values, parts.paint, parts.shadows);
-  if (pass.park) {
-    draw_sky_behind(pass);
-    parts.park.draw_water(pass, parts.shadows);
-  }
+  if (pass.park) parts.park.draw_sky_and_water(pass, parts.shadows);
   draw_polyline(pass, parts.track, parts.gpu_curves, parts.polyline_timer);
   draw_overlay(pass, parts.instances);
   parts.targets.finish();

@@ -5,6 +5,7 @@
 
 #include "edit/commands/command_fields.h"
 #include "exchange/own/import_options.h"
+#include "world/park.h"
 
 namespace coaster::edit {
 COASTER_COMMAND_GROUP(Session);

@@ -43,11 +43,49 @@ void add_box(sim::EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 pain
   }
 }
 
+// Adds the earth below and beside the cells that are left open at a portal, so that no sky shows through them.
+void add_pit(sim::EarthMesh& mesh, const sim::Ground& ground, const sim::TunnelGate& gate) {
+  constexpr glm::vec3 kEarth{0.30f, 0.23f, 0.15f};
+  constexpr int kReach = 6;  // cells about the gate
+  const sim::TrackRoom& room = ground.room();
+  const double cell = world::kGroundCell, floor = gate.at.y + room.lift - room.tube - 0.5;
+  const auto add = [&](const std::array<glm::dvec3, 4>& corners, glm::dvec3 normal, float ambient) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const glm::dvec3& at : corners) mesh.vertices.push_back({glm::vec3(at), glm::vec3(normal), kEarth, ambient});
+    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+  };
+  const int column = static_cast<int>(std::floor(gate.at.x / cell)),
+            row = static_cast<int>(std::floor(gate.at.z / cell));
+  for (int z = row - kReach; z <= row + kReach; ++z) {
+    for (int x = column - kReach; x <= column + kReach; ++x) {
+      if (!sim::is_open(ground, {x, z})) continue;
+      const auto corner = [&](int dx, int dz) { return glm::dvec2(cell * (x + dx), cell * (z + dz)); };
+      const auto at = [&](glm::dvec2 p, double y) { return glm::dvec3(p.x, y, p.y); };
+      add({at(corner(0, 0), floor), at(corner(0, 1), floor), at(corner(1, 1), floor), at(corner(1, 0), floor)},
+          {0, 1, 0}, 0.35f);
+      // Walls to the cells around, down to the tube where it passes.
+      const std::array<std::array<int, 6>, 4> sides{
+          {{-1, 0, 0, 0, 0, 1}, {1, 0, 1, 0, 1, 1}, {0, -1, 0, 0, 1, 0}, {0, 1, 0, 1, 1, 1}}};
+      for (const auto& [dx, dz, ax, az, bx, bz] : sides) {
+        if (sim::is_open(ground, {x + dx, z + dz})) continue;
+        const glm::dvec2 a = corner(ax, az), b = corner(bx, bz), middle = 0.5 * (a + b);
+        const glm::dvec2 from = middle - glm::dvec2(gate.at.x, gate.at.z);
+        const bool at_tube = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x) < room.tube + 0.3;
+        const double low = at_tube ? gate.at.y + room.lift + room.tube : floor;
+        const double high_a = ground.height(a.x, a.y), high_b = ground.height(b.x, b.y);
+        if (std::fmin(high_a, high_b) <= low) continue;
+        add({at(a, low), at(b, low), at(b, high_b), at(a, high_a)}, glm::dvec3(-dx, 0, -dz), 0.55f);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 FixtureMesh fixture_mesh(const sim::Ground& ground, std::span<const Lamp> posts, std::span<const Lamp> lit) {
   constexpr glm::vec3 kPost{0.045f, 0.055f, 0.060f}, kGlass{0.75f, 0.70f, 0.55f};
   sim::EarthMesh earth = sim::tunnel_mesh(ground);
+  for (const sim::TunnelGate& gate : ground.gates()) add_pit(earth, ground, gate);
   for (const Lamp& lamp : posts) {
     if (lamp.post <= 0) continue;
     const glm::vec3 foot = lamp.at - glm::vec3(0, lamp.post + 0.3f, 0);

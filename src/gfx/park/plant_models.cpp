@@ -79,7 +79,7 @@ class ModelBuilder {
     }
   }
 
-  // A ball of `splits` times divided faces of an icosahedron, or of an octahedron if it is negative.
+  // A ball of `splits` times divided faces of an icosahedron.
   struct Ball {
     glm::vec3 middle{0}, radii{1};
     int splits = 0, seed = 0;
@@ -89,19 +89,13 @@ class ModelBuilder {
   void ball(const Ball& ball, const Look& look) {
     std::vector<glm::vec3> points;
     std::vector<std::array<std::uint16_t, 3>> faces;
-    if (ball.splits < 0) {
-      points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-      faces = {{0, 1, 2}, {2, 1, 3}, {3, 1, 5}, {5, 1, 0}, {2, 4, 0}, {3, 4, 2}, {5, 4, 3}, {0, 4, 5}};
-      for (auto& face : faces) std::swap(face[1], face[2]);
-    } else {
-      const float t = 1.618034f;
-      points = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
-                {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-      faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
-      for (glm::vec3& point : points) point = glm::normalize(point);
-    }
+    const float t = 1.618034f;
+    points = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+              {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
+    faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    for (glm::vec3& point : points) point = glm::normalize(point);
     for (int split = 0; split < ball.splits; ++split) {
       std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> middles;
       std::vector<std::array<std::uint16_t, 3>> finer;
@@ -146,7 +140,7 @@ PlantModel conifer(PlantLevel level) {
       break;
     case PlantLevel::coarse:
       model.trunk(3, 2, 0.26f, 0.17f);
-      for (int i = 0; i < 2; ++i) model.tier(i, 2, 5, 0.05f);
+      for (int i = 0; i < 3; ++i) model.tier(i, 3, 5, 0.08f);
       break;
     case PlantLevel::far: model.tier(0, 1, 5, 0.05f); break;
   }
@@ -177,9 +171,9 @@ PlantModel broadleaf(PlantLevel level) {
     case PlantLevel::coarse:
       model.trunk(3, 3.6f, 0.26f, 0.17f);
       model.ball({{0.3f, 5.5f, 0.2f}, {2.5f, 2.3f, 2.5f}, 0, 5}, kLeafLook);
-      model.ball({{-0.5f, 4.1f, -0.3f}, {2.7f, 1.4f, 2.7f}, -1, 6, 0.05f}, kLeafLook);
+      model.ball({{-0.5f, 4.1f, -0.3f}, {2.6f, 1.5f, 2.6f}, 0, 6}, kLeafLook);
       break;
-    case PlantLevel::far: model.ball({{0, 4.6f, 0}, {2.9f, 3.4f, 2.9f}, -1, 7, 0.05f}, kLeafLook); break;
+    case PlantLevel::far: model.ball({{0, 5.0f, 0}, {2.8f, 2.6f, 2.8f}, 0, 7, 0.1f}, kLeafLook); break;
   }
   return model.take();
 }
@@ -195,7 +189,7 @@ PlantModel bush(PlantLevel level) {
     model.ball({{0, 0.55f, 0}, {0.95f, 0.8f, 0.95f}, splits, 21, 0.17f}, look);
     model.ball({{0.7f, 0.35f, 0.35f}, {0.65f, 0.55f, 0.6f}, splits, 22, 0.17f}, look);
   } else {
-    model.ball({{0.2f, 0.5f, 0.1f}, {1.15f, 0.8f, 1.05f}, -1, 23, 0.1f}, look);
+    model.ball({{0.2f, 0.45f, 0.1f}, {1.15f, 0.75f, 1.05f}, 0, 23, 0.1f}, look);
   }
   return model.take();
 }
@@ -207,14 +201,7 @@ PlantModel rock(PlantLevel level) {
     to.vertex(at, out, (0.8f + 0.3f * random(static_cast<int>(40 * at.x), static_cast<int>(40 * at.z))) * kStone,
               0.5f + 0.5f * u);
   };
-  model.ball({{0, 0.25f, 0},
-              {1.0f, 0.65f, 0.8f},
-              level == PlantLevel::near   ? 1
-              : level == PlantLevel::fine ? 0
-                                          : -1,
-              31,
-              0.22f},
-             look);
+  model.ball({{0, 0.25f, 0}, {1.0f, 0.65f, 0.8f}, level == PlantLevel::near ? 1 : 0, 31, 0.22f}, look);
   return model.take();
 }
 

@@ -129,7 +129,11 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
 }
 
 void StartScreen::build_tracks(Ui& ui) {
-  if (samples_.empty()) samples_ = json_files(base::data_folder() / "tracks");
+  if (samples_.empty()) {
+    samples_ = json_files(base::data_folder() / "tracks");
+    std::ranges::stable_partition(  // those in a park first
+        samples_, [](const std::filesystem::path& file) { return file.filename().string().starts_with("park_"); });
+  }
   const float gap = std::floor(12 * ui.scale);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - (kCardsInARow - 1) * gap) / kCardsInARow);
   const auto grid = [&](std::string_view group, const std::vector<std::filesystem::path>& files) {

@@ -1,0 +1,212 @@
+#include "gfx/park/land_mesh.h"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "gfx/park/far_land.h"
+#include "gfx/park/lamps.h"
+#include "sim/solids/coaster_form.h"
+#include "sim/tracks.h"
+
+namespace coaster::gfx {
+namespace land_mesh_test {
+
+const glm::vec3 kSun = glm::normalize(glm::vec3(0.4216f, 0.7792f, 0.4638f));
+const glm::vec3 kLowSun = glm::normalize(glm::vec3(-0.800f, 0.215f, -0.560f));
+
+// A ring of track in the hills, through some of them, with what is derived from it.
+struct Site {
+  world::Document document = test::ring_document(12, 95, 9);
+  world::Settings settings;
+  sim::DerivedTrack derived;
+  sim::Ground ground;
+  sim::Plants plants;
+
+  explicit Site(world::Land land = world::Land::hills) {
+    document.park = world::usual_park(land, 7);
+    update();
+  }
+  void update() {
+    world::settle_joints(document);
+    sim::derive(document, settings, {}, derived);
+    ground.update(document, derived, sim::track_room(sim::form_of(document.kind)));
+    plants.update(ground);
+  }
+  void move(std::size_t knot, glm::vec3 by) {
+    document.entities.get<world::Knot>(document.track.knots[knot]).position += by;
+    update();
+  }
+  LandMesh mesh(glm::vec3 sun = kSun) const {
+    LandMesh made;
+    made.update(ground, &plants, sun, true, {});
+    return made;
+  }
+};
+
+bool same(const LandVertex& a, const LandVertex& b) {
+  return a.position == b.position && a.normal == b.normal && a.paint == b.paint;
+}
+int differing(const LandMesh& a, const LandMesh& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.patches().size(); ++i) {
+    const LandPatch &x = a.patches()[i], &y = b.patches()[i];
+    count += !std::ranges::equal(x.vertices, y.vertices, same) || x.light != y.light || x.indices != y.indices ||
+             x.open != y.open;
+  }
+  return count;
+}
+
+TEST(LandMesh, is_the_ground) {
+  const Site site;
+  const LandMesh mesh = site.mesh();
+  std::mt19937 bits(3);
+  const auto uniform = [&] { return bits() / 4294967296.0; };
+  ASSERT_EQ(mesh.patches().size(), site.ground.patches().size());
+  for (const LandPatch& patch : mesh.patches()) {
+    for (int i = 0; i < 20 && !patch.indices.empty(); ++i) {
+      const std::size_t triangle = 3 * (bits() % (patch.indices.size() / 3));
+      const auto corner = [&](std::size_t k) { return patch.vertices[patch.indices[triangle + k]].position; };
+      const double u = uniform(), v = uniform() * (1 - u);
+      const glm::dvec3 a(corner(0)), b(corner(1)), c(corner(2)), at = a + u * (b - a) + v * (c - a);
+      ASSERT_NEAR(at.y, site.ground.height(at.x, at.z), 1e-3) << at.x << " " << at.z;
+      ASSERT_GT(glm::cross(b - a, c - a).y, 0) << "counter-clockwise from above";
+    }
+  }
+}
+
+TEST(LandMesh, leaves_out_what_is_open_and_nothing_else) {
+  const Site site;
+  int open = 0;
+  for (const LandPatch& patch : site.mesh().patches()) {
+    const int cells = world::kGroundTileCells * world::kGroundTileCells;
+    EXPECT_EQ(patch.open, patch.indices.size() < std::size_t{6} * cells);
+    open += cells - static_cast<int>(patch.indices.size() / 6);
+  }
+  ASSERT_FALSE(site.ground.gates().empty()) << "the ring passes hills";
+  EXPECT_GT(open, 0);
+  EXPECT_LT(open, 24 * static_cast<int>(site.ground.gates().size()));
+}
+
+TEST(LandMesh, builds_nothing_twice_and_after_a_move_only_near_it) {
+  Site site;
+  LandMesh mesh = site.mesh();
+  const auto builds = [&] {
+    std::vector<std::uint64_t> all;
+    for (const LandPatch& patch : mesh.patches()) all.push_back(patch.build);
+    return all;
+  };
+  const auto before = builds();
+  mesh.update(site.ground, &site.plants, kSun, true, {});
+  EXPECT_EQ(builds(), before);
+  for (std::size_t knot = 0; knot < 12; knot += 3) {
+    const auto held = builds();
+    site.move(knot, {1, -1.5f, 0.5f});
+    mesh.update(site.ground, &site.plants, kSun, true, {});
+    const auto now = builds();
+    int built = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) built += now[i] != held[i];
+    EXPECT_GT(built, 0) << knot;
+    EXPECT_LE(built, 24) << knot;
+  }
+}
+
+// Whatever came before: moves, another sun, no plants.
+TEST(LandMesh, is_the_same_however_it_was_reached) {
+  Site site;
+  LandMesh kept = site.mesh();
+  std::mt19937 bits(11);
+  for (int i = 0; i < 8; ++i) {
+    const auto uniform = [&] { return static_cast<float>(bits() / 4294967296.0 * 8 - 4); };
+    const float x = uniform(), y = uniform(), z = uniform();
+    site.move(bits() % 12, {x, y, z});
+    const glm::vec3 sun = i % 4 == 3 ? kLowSun : kSun;
+    const sim::Plants* const plants = i % 3 == 2 ? nullptr : &site.plants;
+    kept.update(site.ground, plants, sun, true, {});
+    LandMesh fresh;
+    fresh.update(site.ground, plants, sun, true, {});
+    ASSERT_EQ(differing(kept, fresh), 0) << i;
+  }
+  site.document.park.seed = 9, site.update();
+  kept.update(site.ground, &site.plants, kSun, true, {});
+  EXPECT_EQ(differing(kept, site.mesh()), 0);
+}
+
+TEST(LandMesh, lies_in_the_sun_where_a_ray_to_it_meets_no_land) {
+  const Site site(world::Land::valley);
+  LandMesh mesh;
+  mesh.update(site.ground, nullptr, kLowSun, true, {});
+  int dark = 0, lit = 0, wrong = 0;
+  for (const LandPatch& patch : mesh.patches()) {
+    for (std::size_t i = 0; i < patch.vertices.size(); i += 37) {
+      const glm::dvec3 from = glm::dvec3(patch.vertices[i].position) + glm::dvec3(0, 0.5, 0);
+      if (std::max(std::abs(from.x), std::abs(from.z)) > 300) continue;  // land beyond the square casts none
+      const auto met = site.ground.meet(from, glm::dvec3(kLowSun), 340);
+      const auto higher = site.ground.meet(from + glm::dvec3(0, 3, 0), glm::dvec3(kLowSun), 340);
+      if (met.has_value() != higher.has_value()) continue;  // at the edge of a shadow
+      (met ? dark : lit) += 1;
+      wrong += (patch.light[i].sun < 128) != met.has_value();
+    }
+  }
+  EXPECT_GT(dark, 100);
+  EXPECT_GT(lit, 100);
+  EXPECT_LT(wrong, (dark + lit) / 25) << dark << " dark, " << lit << " lit";
+}
+
+TEST(LandMesh, is_lit_by_lamps_within_their_reach) {
+  const Site site;
+  LandMesh mesh = site.mesh();
+  const glm::dvec2 place(40, 30);
+  const auto height = static_cast<float>(site.ground.height(place.x, place.y));
+  const std::vector<Lamp> lamps{{glm::vec3(40, height + 4, 30), 2, 0}};
+  EXPECT_EQ(mesh.light_at(40, 30).lamp, 0);
+  mesh.update(site.ground, &site.plants, kSun, true, lamps);
+  EXPECT_GT(mesh.light_at(40, 30).lamp, 80);
+  EXPECT_EQ(mesh.light_at(40 + 28, 30).lamp, 0);
+  mesh.update(site.ground, &site.plants, kSun, true, {});
+  EXPECT_EQ(differing(mesh, site.mesh()), 0);
+}
+
+TEST(Lamps, stand_along_the_track_clear_of_it) {
+  const Site site;
+  const std::vector<Lamp> lamps = lamps_of(site.ground);
+  EXPECT_GT(lamps.size(), static_cast<std::size_t>(site.derived.length / 18 / 2));
+  for (const Lamp& lamp : lamps) {
+    double nearest = 1e9;
+    for (const sim::TrackSample& sample : site.ground.samples())
+      nearest = std::min(nearest, glm::distance(sample.at, glm::dvec3(lamp.at)));
+    EXPECT_GT(nearest, 0.9);
+    EXPECT_LT(nearest, 9);
+  }
+}
+
+TEST(FarLand, continues_the_border_out_to_the_horizon) {
+  const Site site;
+  const LandMesh mesh = site.mesh();
+  const FarLand far = far_land(site.ground, mesh.field());
+  // All that lies at the square's edge is a vertex of a patch.
+  const float half = 384;
+  std::set<std::array<float, 3>> border;
+  for (const LandPatch& patch : mesh.patches())
+    for (const LandVertex& vertex : patch.vertices)
+      if (std::max(std::abs(vertex.position.x), std::abs(vertex.position.z)) == half)
+        border.insert({vertex.position.x, vertex.position.y, vertex.position.z});
+  std::size_t shared = 0;
+  double area = 0;
+  for (const LandVertex& vertex : far.vertices)
+    shared += border.contains({vertex.position.x, vertex.position.y, vertex.position.z});
+  EXPECT_EQ(shared, std::size_t{4} * 96);
+  for (std::size_t i = 0; i < far.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return glm::dvec3(far.vertices[far.indices[i + k]].position); };
+    const double twice = glm::cross(at(1) - at(0), at(2) - at(0)).y;
+    EXPECT_GT(twice, 0);
+    area += 0.5 * twice;
+  }
+  const double side = 2.0 * half;
+  EXPECT_NEAR(area, side * side * (kFarthestLand * kFarthestLand - 1.0), side);
+}
+
+}  // namespace land_mesh_test
+}  // namespace coaster::gfx
