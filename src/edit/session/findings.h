@@ -25,6 +25,7 @@ class Supports;
 struct CircuitProposals;
 struct Conflict;
 struct ElementPlan;
+struct FloodedTrack;
 struct Fold;
 struct ForcePlan;
 struct FrenetBreak;
@@ -82,6 +83,7 @@ class SessionFindings {
   void look_from(const sim::EyeSurroundings& around) const;  // says where the eye is
   const sim::Ground& ground() const;                         // as it is cut to the track
   const sim::Plants& plants() const;                         // on that ground
+  std::span<const sim::FloodedTrack> flooded() const;        // track under its water
   double chord_error() const;                                // m, largest distance of a piece from its chord
   double deviation() const;                                  // m, from the challenge's start track; 0 without one
 
