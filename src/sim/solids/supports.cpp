@@ -207,11 +207,11 @@ void add_timber(dvec3 from, dvec3 to, double half, bool from_afar, Mesh& mesh) {
 }
 
 void add_bents(const SegmentSupports& supports, Mesh& mesh) {
-  constexpr double kFooting = 0.28, kHigh = 0.14;  // m
+  constexpr double kFooting = 0.28, kPad = 0.14;  // m
   for (const Bar& leg : supports.bars) {
     add_timber(dvec3(leg.from), dvec3(leg.to), double{leg.to_radius}, true, mesh);
     const dvec3 foot(leg.to);
-    add_box(foot + dvec3(0, 0.5 * kHigh, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kHigh, kFooting},
+    add_box(foot + dvec3(0, 0.5 * kPad, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kPad, kFooting},
             Material::concrete, 0, false, mesh);
   }
   for (const Brace& each : supports.braces)
