@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
+#include "sim/ground/land.h"
 #include "sim/lands.h"
 #include "sim/plan/closing_candidates.h"
 #include "sim/plan/element_plan.h"
