@@ -136,9 +136,10 @@ void leave_without_graphics(Program& program, const std::string& why) {
   std::_Exit(base::exit_code(base::Code::graphics));
 }
 
-view::CameraSubject watched(const Program& program) {
-  const edit::Session& session = program.session;
-  return {session.document, session.derived, session.motion, session.settings, program.by_hand};
+view::CameraSubject watched(Program& program) {
+  edit::Session& session = program.session;
+  return {session.document, session.derived, session.motion,
+          session.settings, program.by_hand, &edit::SessionFindings(session).ground()};
 }
 
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {

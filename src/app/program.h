@@ -123,7 +123,7 @@ base::Status finish_recording(Program& program);
 void advance(Program& program, int ticks);
 
 // Returns the state that the camera shows.
-view::CameraSubject watched(const Program& program);
+view::CameraSubject watched(Program& program);
 
 query::QueryContext context_of(Program& program);
 

@@ -74,9 +74,11 @@ PictureContents find_seen(Program& program, const PictureSettings& look) {
   if (layers.has(world::Layer::conflicts) && !marked.riding) {
     // A saved picture shows all conflicts. Others may show them later.
     marked.conflicts = look.unseen || program.surface->is_window() ? find.conflicts_so_far() : find.conflicts();
+    marked.flooded = find.flooded();
     marked.folds = find.folds(), marked.tight_bends = find.tight_bends();
   }
   if (layers.has(world::Layer::limits)) marked.spans = find.overloads(), marked.jolts = find.jolts();
+  marked.ground = &find.ground();
   if (look.settings.aids->show_element) marked.element = &find.element(), marked.narrow = find.room();
   if (const sim::ElementPlan* const way = shown_closing(find, program, look)) marked.element = way, marked.narrow = {};
   if (layers.has(world::Layer::supports)) seen.supports = &find.supports();

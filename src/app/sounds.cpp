@@ -32,7 +32,8 @@ void keep_sounding(Program& program) {
   if (!sounds.device) return;
   const view::RideNoise noise = recording(program)
                                     ? view::RideNoise{}
-                                    : view::ride_noise(session.document, session.derived, session.motion, volume);
+                                    : view::ride_noise(session.document, session.derived, session.motion, volume,
+                                                       &edit::SessionFindings(program.session).ground());
   sounds.device->feed(
       [&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
 }

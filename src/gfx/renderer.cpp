@@ -39,7 +39,7 @@ struct Renderer::Parts {
 // Updates the buffers from the scene: writes only what has changed, except for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   choose_levels(scene, track);
-  const TrackCache::UploadStats synced = track.sync(scene.derived, scene.clock);
+  const TrackCache::UploadStats synced = track.sync(scene.derived, scene.clock, scene.ground);
   const SupportCache::UploadStats held =
       track.supports().sync(scene.supports, scene.clock, track.near(), scene.derived.made.kind);
   stats.uploads = synced.uploads;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "gfx/gpu_curves.h"
+#include "sim/ground/ground.h"
 #include "sim/solids/track_mesh.h"
 
 namespace coaster::gfx {
@@ -52,6 +54,14 @@ namespace {
 static_assert(sizeof(PolylineVertex) == 24, "vertices are uploaded with their memory layout");
 static_assert(kControlBytes == 48, "so are control points");
 
+// Returns the build of the ground under a segment's platforms; 0 on the plane.
+std::uint64_t ground_under(const sim::Ground* ground, const sim::SegmentShape& shape) {
+  constexpr float kPlatform = 4;  // m beside the rails
+  if (ground == nullptr) return 0;
+  const auto [low, high] = curve::control_box(shape.key.cubic);
+  return ground->build_under({low - kPlatform, high + kPlatform});
+}
+
 }  // namespace
 
 TrackCache::TrackCache(const Gl& gl)
@@ -64,7 +74,9 @@ TrackCache::TrackCache(const Gl& gl)
       buildings_(gl),
       line_array_(make_vertex_array(gl)) {}
 
-TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
+TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock,
+                                         const sim::Ground* ground) {
+  ground_ = ground;
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
   swept_.take_kind(derived.made.kind);
@@ -101,6 +113,7 @@ TrackCache::UploadStats TrackCache::sync(const sim::DerivedTrack& derived, const
     if (write_segment(derived.shape(segment), on_processor, slots_[segment.index], watch)) ++synced_.uploads;
   });
   change_levels(derived, on_processor, watch);
+  take_ground(derived, on_processor, watch);
   synced_.cpu_seconds = watch.seconds;
   return synced_;
 }
@@ -141,6 +154,19 @@ void TrackCache::take_near(const sim::DerivedTrack& derived) {
     const std::uint32_t index = derived.order[i].index;
     near_[index] = 1;
     if (levels_held_[index].solid != SolidDetail::with_parts) were_near_.push_back(index);
+  }
+}
+
+// Writes the platforms again under which the ground changed.
+void TrackCache::take_ground(const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch) {
+  const std::uint64_t build = ground_ != nullptr && !ground_->plain() ? ground_->build() : 0;
+  if (std::exchange(ground_build_, build) == build) return;
+  for (Slot& slot : slots_) {
+    if (!slot.segment.valid() || slot.fitted != world::EquipmentKind::station) continue;
+    const sim::SegmentShape& shape = derived.shape(slot.segment);
+    if (slot.ground == ground_under(ground_, shape)) continue;
+    slot.shape_build = 0;
+    if (write_segment(shape, on_processor, slot, watch)) ++synced_.uploads;
   }
 }
 
@@ -283,7 +309,7 @@ void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwa
     if (solid == SolidDetail::straight) swept_.stage_far(shape, detail, slot.segment.index);
     else swept_.stage(shape, detail, slot.segment.index);
     staged_mesh_.clear();
-    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail, ground_);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
   });
   synced_.bytes += swept_.write(slot.swept);
@@ -291,6 +317,7 @@ void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwa
   else synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);
   slot.shape_build = shape.shape_build;
   slot.fitted = shape.fitted;
+  if (slot.fitted == world::EquipmentKind::station) slot.ground = ground_under(ground_, shape);
   levels_held_[slot.segment.index].solid = solid;
 }
 

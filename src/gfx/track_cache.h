@@ -75,7 +75,8 @@ class TrackCache {
   // Updates the slots from the same DerivedTrack as before. Reads only the segments that DerivedTrack::changes_since()
   // lists and those whose level changes; all of them after a change of the track's order, of equipment or of the
   // evaluation of polylines.
-  UploadStats sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
+  // Platforms stand on `ground`, null: on the plane y = 0; those over changed ground are written again.
+  UploadStats sync(const sim::DerivedTrack& derived, const sim::Clock& clock, const sim::Ground* ground = nullptr);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.
   void look_from(const LevelView& sight, float ties) { sight_ = sight, ties_ = ties; }
@@ -121,7 +122,7 @@ class TrackCache {
   struct Slot {
     world::Entity segment;
     std::uint64_t shape_build = 0, polyline_build = 0;  // 0: never written
-    std::uint64_t seen = 0;
+    std::uint64_t seen = 0, ground = 0;                 // build of the ground under a platform
     std::optional<world::EquipmentKind> fitted;
     Range line, control;
     SweptTrack::Id swept = SweptTrack::kNone;
@@ -147,6 +148,7 @@ class TrackCache {
   }
   void release(Slot& slot);
   void take_near(const sim::DerivedTrack& derived);
+  void take_ground(const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch);
   void change_levels(const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch);
   void change_level(std::size_t index, const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch);
   bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch);
@@ -173,12 +175,14 @@ class TrackCache {
   std::uint64_t building_build_ = 0;
   GlObject line_array_;
   RangeAllocator line_ranges_, control_ranges_;
-  std::vector<Slot> slots_;         // by the entity's index
-  std::vector<SegmentSize> sizes_;  // by the entity's index
-  std::vector<Level> levels_held_;  // by the entity's index: the level in the slot
-  std::size_t live_ = 0;            // slots with a segment
-  std::uint64_t stamp_ = 0;         // of the current sync
-  UploadStats synced_;              // of the current sync
+  std::vector<Slot> slots_;              // by the entity's index
+  std::vector<SegmentSize> sizes_;       // by the entity's index
+  std::vector<Level> levels_held_;       // by the entity's index: the level in the slot
+  std::size_t live_ = 0;                 // slots with a segment
+  std::uint64_t stamp_ = 0;              // of the current sync
+  const sim::Ground* ground_ = nullptr;  // during a sync
+  std::uint64_t ground_build_ = 0;
+  UploadStats synced_;  // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
   // Values of the last sync.
   std::uint64_t last_build_ = 0;

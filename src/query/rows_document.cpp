@@ -50,6 +50,13 @@ Answer conflict_place(const QueryContext& c, View) {
   return worst ? number(worst->*distance) : none("there is no conflict");
 }
 
+Answer flooded(const QueryContext& c, View) { return number(c.find.flooded().size()); }
+Answer flooded_depth(const QueryContext& c, View) {
+  double deepest = 0;
+  for (const sim::FloodedTrack& stretch : c.find.flooded()) deepest = std::max(deepest, stretch.depth);
+  return number(deepest);
+}
+
 // --- folds
 Answer folds(const QueryContext& c, View) { return number(c.find.folds().size()); }
 Answer tight_bends(const QueryContext& c, View) { return number(c.find.tight_bends().size()); }
@@ -141,6 +148,8 @@ constexpr Query kDocumentRows[]{
      conflict_place<&sim::Conflict::at>, or_none()},
     {"conflict.other", "m", "Distance of its other stretch along the track; none if there is none.",
      conflict_place<&sim::Conflict::other>, or_none()},
+    {"flooded", "", "Stretches of track under the water of a land, outside tunnels.", flooded},
+    {"flooded.depth", "m", "Largest depth of track under water; 0 if there is none.", flooded_depth},
     {"folds", "", "Places where the rails fold: the curve's radius is below the rails' distance from it.", folds},
     {"fold.at", "m", "Distance of the first fold along the track; none if there is none.", first_fold<&sim::Fold::at>,
      or_none()},

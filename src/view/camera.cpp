@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "curve/cubic.h"
+#include "sim/ground/ground.h"
 #include "sim/ride/ride.h"
 #include "world/sections.h"
 
@@ -78,6 +79,11 @@ world::Camera frame_points(const world::Camera& from, Viewport viewport, const a
 
 }  // namespace
 
+glm::vec3 above_ground(glm::vec3 eye, const sim::Ground* ground) {
+  const double surface = surface_at(ground, static_cast<double>(eye.x), static_cast<double>(eye.z));
+  return {eye.x, std::max(eye.y, world::kLowestFlight + static_cast<float>(surface)), eye.z};
+}
+
 glm::dmat3 axes_of(const Eye& eye) {
   const glm::dvec3 forward = glm::normalize(eye.forward), right = glm::normalize(glm::cross(forward, eye.up));
   return {right, glm::cross(right, forward), -forward};
@@ -108,7 +114,11 @@ View view_of(const Eye& eye, Viewport viewport, float density) {
   return out;
 }
 
-Eye orbit_eye(const world::Camera& camera) {
+double surface_at(const sim::Ground* ground, double x, double z) {
+  return ground != nullptr ? ground->surface(x, z) : 0;
+}
+
+Eye orbit_eye(const world::Camera& camera, const sim::Ground* ground) {
   const float distance = std::max(camera.distance, 0.1f);
   if (camera.projection != world::Projection::perspective) {
     const glm::dmat3 axes(axes_of(camera));
@@ -117,10 +127,12 @@ Eye orbit_eye(const world::Camera& camera) {
   }
   const glm::vec3 back = towards_eye(camera.yaw_deg, camera.pitch_deg);
   glm::vec3 eye = camera.target + back * distance;
-  eye.y = std::max(eye.y, kLowestEye);
+  const float lowest =
+      kLowestEye + static_cast<float>(surface_at(ground, static_cast<double>(eye.x), static_cast<double>(eye.z)));
+  eye.y = std::max(eye.y, lowest);
   // The difference to a distant target is exact enough only where the ground has moved the eye.
   glm::vec3 forward = -back;
-  if (eye.y == kLowestEye && glm::distance(camera.target, eye) > 1e-4f) forward = glm::normalize(camera.target - eye);
+  if (eye.y == lowest && glm::distance(camera.target, eye) > 1e-4f) forward = glm::normalize(camera.target - eye);
   // From a raised eye the target can be straight below: then the yaw's forward direction is up in the picture.
   const float yaw = glm::radians(camera.yaw_deg);
   const glm::vec3 up =
@@ -128,9 +140,8 @@ Eye orbit_eye(const world::Camera& camera) {
   return {eye, forward, up, camera.field_of_view_deg, distance};
 }
 
-Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg) {
-  const glm::vec3 forward = -towards_eye(fly.yaw_deg, -fly.pitch_deg),
-                  eye(fly.eye.x, std::max(fly.eye.y, world::kLowestFlight), fly.eye.z);
+Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg, const sim::Ground* ground) {
+  const glm::vec3 forward = -towards_eye(fly.yaw_deg, -fly.pitch_deg), eye = above_ground(fly.eye, ground);
   return {eye, forward, {0, 1, 0}, field_of_view_deg, 0};
 }
 
@@ -141,12 +152,12 @@ Eye ride_eye(const sim::Pose& pose, float field_of_view_deg) {
 
 View orbit_view(const world::Camera& camera, Viewport viewport) { return view_of(orbit_eye(camera), viewport); }
 
-world::FlyCamera fly_from(const View& view) {
+world::FlyCamera fly_from(const View& view, const sim::Ground* ground) {
   const glm::vec3 forward = line_of_sight(view), up = top_of(view);
   // Looking straight up or down, the picture's up direction defines the yaw.
   const glm::vec3 ahead = std::abs(forward.y) < 0.9999f ? forward : -std::copysign(1.0f, forward.y) * up;
   world::FlyCamera fly;
-  fly.eye = glm::vec3(view.eye.x, std::max(view.eye.y, world::kLowestFlight), view.eye.z);
+  fly.eye = above_ground(view.eye, ground);
   fly.yaw_deg = glm::degrees(std::atan2(-ahead.x, -ahead.z));
   fly.pitch_deg = std::clamp(glm::degrees(std::asin(std::clamp(forward.y, -1.0f, 1.0f))), -89.0f, 89.0f);
   return fly;
@@ -188,6 +199,15 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
   const float distance = glm::dot(point - ray.origin, normal) / towards;
   if (!(distance >= 0 || ray.endless) || !(std::abs(distance) <= kFurthest)) return std::nullopt;
   return ray.origin + distance * ray.direction;
+}
+
+std::optional<glm::vec3> meet_land(const Ray& ray, const sim::Land& land, double over) {
+  const glm::dvec3 down(0, over, 0), direction(ray.direction);
+  glm::dvec3 origin(ray.origin);
+  if (ray.endless) origin -= static_cast<double>(kFurthest) * direction;  // of an orthographic view
+  const double most = 2000 + (ray.endless ? 2 * static_cast<double>(kFurthest) : 0.0);
+  const auto distance = land.meet(origin - down, direction, most);
+  return distance ? std::optional(glm::vec3(origin + *distance * direction)) : std::nullopt;
 }
 
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
@@ -242,7 +262,10 @@ world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high
 }
 
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
-  if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
+  if (document.track.knots.empty()) {
+    const auto ground = static_cast<float>(sim::Land(document.park).surface(0, 0));
+    return frame_box(from, {-20, ground, -20}, {20, ground + 10, 20}, viewport);
+  }
   // Track has a volume, and a single knot should not fill the picture.
   const float half = 1 + static_cast<float>(std::abs(world::rails_height(document)));
   return frame_points(from, viewport, [&](const auto& visit) {

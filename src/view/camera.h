@@ -10,6 +10,8 @@
 #include "world/settings.h"
 
 namespace coaster::sim {
+class Ground;
+class Land;
 struct DerivedTrack;
 struct Pose;
 }  // namespace coaster::sim
@@ -51,15 +53,20 @@ struct Eye {
   double far_off = 0;                         // m, typical distance of the subject: the near plane moves away with it
   bool parallel = false;                      // orthographic; the picture is as high as a perspective one at far_off
 };
-inline constexpr float kLowestEye = 0.3f;  // m above the ground plane y = 0
+inline constexpr float kLowestEye = 0.3f;  // m above ground and water
 inline constexpr float kRiderEye = 1.1f;   // m above the rails
 
 // Returns right, up and back of an eye as columns: unit, perpendicular. `up` must not be parallel to `forward`.
 glm::dmat3 axes_of(const Eye& eye);
 
-// Return the eyes of both cameras, which stay above the ground; that of an orthographic view may be anywhere.
-Eye orbit_eye(const world::Camera& camera);
-Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);
+// Returns the height (m) of ground or water at a place; null, or without a land: that of the plane y = 0.
+double surface_at(const sim::Ground* ground, double x, double z);
+
+// Return the eyes of both cameras, which stay above ground and water; that of an orthographic view may be anywhere.
+Eye orbit_eye(const world::Camera& camera, const sim::Ground* ground = nullptr);
+Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg, const sim::Ground* ground = nullptr);
+// Returns a place of the fly camera, raised to at least kLowestFlight above ground and water.
+glm::vec3 above_ground(glm::vec3 eye, const sim::Ground* ground);
 // Returns the eye on the seat of a car, looking forward.
 Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
 // Returns the view; a viewport of zero area counts as 1 x 1.
@@ -71,7 +78,7 @@ View orbit_view(const world::Camera& camera, Viewport viewport);
 world::Camera in_perspective(world::Camera camera);
 
 // Returns the fly camera that is closest to this view.
-world::FlyCamera fly_from(const View& view);
+world::FlyCamera fly_from(const View& view, const sim::Ground* ground = nullptr);
 
 // Returns the window pixel of a world point, or nothing if it is behind the eye. z: depth as NDC in [-1,1].
 std::optional<glm::vec3> project(const View& view, glm::vec3 world);
@@ -80,6 +87,9 @@ Ray ray_through(const View& view, glm::vec2 pixel);
 // Returns where the ray meets the plane through `point` with `normal`; nothing if parallel, before its origin or beyond
 // 1e5 m.
 std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 normal);
+// Returns the place `over` m above the land, as people left it, or its water, where the ray first meets all such
+// places; nothing if it does not within 2 km.
+std::optional<glm::vec3> meet_land(const Ray& ray, const sim::Land& land, double over = 0);
 // Returns the height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
@@ -93,7 +103,8 @@ world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high
 // distance. Returns the camera itself if it already does.
 world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
                            Viewport free, float margin = kMargin);
-// Does the same as frame_box() for the whole track (40 m about the origin if it is empty) or for one entity.
+// Does the same as frame_box() for the whole track (40 m about the origin, on its land, if it is empty) or for one
+// entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
                            Viewport viewport);

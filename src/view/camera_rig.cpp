@@ -9,6 +9,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/ground/ground.h"
 #include "sim/ride/ride.h"
 #include "sim/ride/train.h"
 #include "sim/shape/frame_methods.h"
@@ -31,8 +32,13 @@ constexpr double kBesideHanging = 0.75;  // the same for a train that hangs
 constexpr double kBesideOver = 0.6;      // rad more while it is upside down: shows a loop from the side
 constexpr double kPerTrain = 0.6;        // m of distance per metre of train
 constexpr double kOverGround = 1.2;      // m
-constexpr double kClear = 2.4;           // m from the track that the eye keeps if possible
-constexpr double kSightClear = 1.3;      // m from the track that the first half of the line of sight keeps
+constexpr double kInsideLag = 0.35;      // s, to go into the tube of a tunnel
+constexpr double kBeforeTunnel = 1;      // s before a tunnel, and at least
+constexpr double kLeastBefore = 8;       // m
+constexpr double kTubeNearer = 0.6;      // of the distance behind the train, within a tube
+constexpr double kInTube = 1, kTubeEdge = 0.5;  // m over its middle; m from its wall
+constexpr double kClear = 2.4;                  // m from the track that the eye keeps if possible
+constexpr double kSightClear = 1.3;             // m from the track that the first half of the line of sight keeps
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A train that hangs below its rails is seen from its own height: from above, the spine hides it.
@@ -54,14 +60,65 @@ dvec3 looked_at(const CameraSubject& w, const RiddenTrain& ridden) {
   return ridden.middle.position + dvec3(0, over, 0);
 }
 
+double distance_to(const CameraSubject& w, const RiddenTrain& ridden) {
+  return w.settings.feel->chase_distance + kPerTrain * ridden.length;
+}
+
+// Returns the least height of a chasing eye.
+double least_height(const CameraSubject& w, const dvec3& eye) {
+  return surface_at(w.ground, eye.x, eye.z) + kOverGround;
+}
+
+bool on_land(const CameraSubject& w) { return w.ground != nullptr && !w.ground->plain(); }
+
+// The place on the track from where a train in a tunnel is seen: behind it in the middle of the tube.
+struct TubePlace {
+  dvec3 axis{0}, eye{0};
+  bool in_tunnel = false;
+};
+TubePlace tube_place(const CameraSubject& w, const RiddenTrain& ridden) {
+  const double behind = 0.5 * ridden.length + kTubeNearer * distance_to(w, ridden);
+  const sim::TrackPlace place = sim::behind(w.derived, ridden.front_place, behind);
+  const sim::Pose pose = sim::pose(w.derived, place, world::FrameMethod::knots);
+  TubePlace tube;
+  tube.axis = pose.position + w.ground->room().lift * pose.frame.up;
+  tube.eye = tube.axis + kInTube * pose.frame.up;
+  tube.in_tunnel = w.ground->tunnel_at(w.derived.starts[place.index] + place.s) != nullptr;
+  return tube;
+}
+
+// True from before the train enters a tunnel until the eye outside would be out of the hill.
+bool near_tunnel(const CameraSubject& w, const RiddenTrain& ridden) {
+  if (!on_land(w) || w.ground->tunnels().empty() || !(w.derived.length > 0)) return false;
+  constexpr double kStep = 3, kAfter = 5, kMostBefore = 150;  // m
+  const double front = w.derived.starts[ridden.front_place.index] + ridden.front_place.s, length = w.derived.length;
+  const double to = front + std::clamp(kBeforeTunnel * std::abs(ridden.motion.speed), kLeastBefore, kMostBefore);
+  for (double s = front - 0.5 * ridden.length - distance_to(w, ridden) - kAfter; s <= to; s += kStep) {
+    const double at = w.derived.closed ? s - length * std::floor(s / length) : s;
+    if (w.ground->tunnel_at(at) != nullptr) return true;
+  }
+  return false;
+}
+
 dvec3 place(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
-  const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
-               b = rig.beside.value;
+  const double distance = distance_to(w, ridden), e = rig.elevation.value, b = rig.beside.value;
   dvec3 eye = looked_at(w, ridden) +
               distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
-  eye.y = std::max(eye.y, kOverGround);
+  eye.y = std::max(eye.y, least_height(w, eye));
   return eye;
+}
+
+// Returns the eye of the chase camera, taken into the tube where the train is near a tunnel.
+dvec3 kept_in_tube(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, dvec3 eye) {
+  const double share = std::clamp(rig.inside.value, 0.0, 1.0);
+  if (share < 1e-3) return eye;
+  const TubePlace tube = tube_place(w, ridden);
+  eye = glm::mix(eye, tube.eye, share);
+  if (!tube.in_tunnel) return {eye.x, std::max(eye.y, surface_at(w.ground, eye.x, eye.z) + double{kLowestEye}), eye.z};
+  const dvec3 off = eye - tube.axis;
+  const double away = glm::length(off), most = w.ground->room().tube - kTubeEdge;
+  return away > most ? tube.axis + most / away * off : eye;
 }
 
 // Returns `from` moved away from the track by the distance missing to `clear`.
@@ -82,7 +139,7 @@ dvec3 way_out(const CameraSubject& w, const dvec3& from, const dvec3& aside, con
     for (const double part : {0.25, 0.5}) step += step_aside(w, glm::mix(at, to, part), kSightClear) / (1 - part);
     if (step == dvec3(0)) break;
     at += step;
-    at.y = std::max(at.y, kOverGround);
+    at.y = std::max(at.y, least_height(w, at));
   }
   return at - from;
 }
@@ -150,7 +207,7 @@ Eye ride(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, doub
   eye.position = ridden.front.position +
                  (static_cast<float>(sim::form_of(w.derived.made.kind).eye) + rig.bob.value.y) * frame.up +
                  rig.bob.value.z * frame.left();
-  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
+  if (!on_land(w)) eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
   eye.field_of_view_deg =
       std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
   eye.forward = frame.forward, eye.up = rig.up;
@@ -178,7 +235,7 @@ RiddenTrain ridden_of(const CameraSubject& w, world::Entity cart, const world::T
   const std::size_t index = sim::index_of_segment(w.derived, motion.segment, motion.track_distance);
   const sim::TrackPlace front{index < w.derived.order.size() ? index : 0, motion.s};
   const world::Train* const design = w.document.entities.find<world::Train>(cart);
-  RiddenTrain out{cart, motion, {}, {}, 0};
+  RiddenTrain out{cart, motion, {}, {}, 0, front};
   if (design) out.length = (sim::cars_on(w.derived, *design) - 1) * static_cast<double>(design->spacing);
   out.front = sim::pose(w.derived, front, w.settings.frames);
   // Banked by the knots for every frame method, because this eye is not in a seat.
@@ -224,8 +281,8 @@ Eye target_eye(CameraRig& rig, const CameraSubject& w, int ticks, bool switched)
     if (usable(eye)) return eye;
     rig.with_train = false;
   }
-  if (rig.mode == CameraMode::fly) return fly_eye(s.fly, s.camera.field_of_view_deg);
-  return orbit_eye(s.camera);
+  if (rig.mode == CameraMode::fly) return fly_eye(s.fly, s.camera.field_of_view_deg, w.ground);
+  return orbit_eye(s.camera, w.ground);
 }
 
 void begin_transition(CameraRig& rig, const Eye& before, const Eye& to) {
@@ -237,12 +294,14 @@ void begin_transition(CameraRig& rig, const Eye& before, const Eye& to) {
 }
 
 // Returns `to` plus the remaining offset from the previous eye. The offset moves with the new camera.
-Eye eased(const CameraRig& rig, const Eye& to) {
+Eye eased(const CameraRig& rig, const CameraSubject& w, const Eye& to) {
   const double left = static_cast<double>(rig.ticks_left) / kTransitionTicks, part = left * left * (3 - 2 * left);
   const dquat turned = glm::slerp(dquat(1, 0, 0, 0), rig.turn, part) * turn_of(to);
   Eye eye = to;
   eye.position += part * rig.offset;
-  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
+  if (!on_land(w) || !goes_along(rig.mode))
+    eye.position.y = std::max(eye.position.y,
+                              static_cast<double>(kLowestEye) + surface_at(w.ground, eye.position.x, eye.position.z));
   eye.forward = turned * dvec3(0, 0, -1), eye.up = turned * dvec3(0, 1, 0);
   eye.field_of_view_deg += part * rig.field_of_view_off;
   eye.far_off *= 1 - part;
@@ -279,6 +338,7 @@ void settle_chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& rid
   rig.elevation.settle(elevation_of(w, ridden));
   rig.beside.settle(beside_of(w, ridden));
   rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(w, ridden)));
+  rig.inside.settle(near_tunnel(w, ridden) ? 1 : 0);
 }
 
 Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, double dt) {
@@ -289,7 +349,11 @@ Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, dou
   rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(w, ridden)), kAsideLag, dt);
   Eye eye;
   eye.position = wanted + rig.aside.value;
-  eye.position.y = std::max(eye.position.y, kOverGround);
+  eye.position.y = std::max(eye.position.y, least_height(w, eye.position));
+  if (on_land(w)) {
+    rig.inside.approach(near_tunnel(w, ridden) ? 1 : 0, kInsideLag, dt);
+    eye.position = kept_in_tube(rig, w, ridden, eye.position);
+  }
   const dvec3 to = looked_at(w, ridden) - eye.position;
   const double distance = glm::length(to);
   eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();
@@ -348,7 +412,7 @@ void follow(CameraRig& rig, const CameraSubject& w, int ticks) {
   else if (changed) begin_transition(rig, before, to);
   else rig.ticks_left = std::max(0, rig.ticks_left - ticks);
   rig.begun = true;
-  rig.eye = rig.ticks_left > 0 ? eased(rig, to) : to;
+  rig.eye = rig.ticks_left > 0 ? eased(rig, w, to) : to;
 }
 
 }  // namespace coaster::view

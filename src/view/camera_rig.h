@@ -38,7 +38,8 @@ struct CameraSubject {
   const sim::DerivedTrack& derived;
   const world::Motion& motion;
   const world::Settings& settings;
-  bool eased = true;  // a change of camera takes kTransitionTicks
+  bool eased = true;                    // a change of camera takes kTransitionTicks
+  const sim::Ground* ground = nullptr;  // null, or without a land: the plane y = 0
 };
 
 // Returns the selected camera, or orbit while there is no train.
@@ -67,6 +68,7 @@ struct CameraRig {
   double roll_lag = 0;                         // rad by which `up` lags the track's, including whole turns
   double roll_rate = 0;                        // rad/s of `up` about `forward`
   Damped<double> widening, elevation, beside;  // degrees; rad above the horizon; rad to the train's left
+  Damped<double> inside;                       // 0..1: the chase camera behind the train in a tunnel's tube
   Damped<glm::dvec3> bob, aside;               // m on the seat's axes; m to stay clear of the track
 
   // The transition from the previous eye to this one: the remaining offset.
@@ -89,6 +91,7 @@ struct RiddenTrain {
   const world::TrainMotion& motion;
   sim::Pose front, middle;  // of the first car and of the train's middle
   double length = 0;        // m from the first car to the last
+  sim::TrackPlace front_place = {};
 };
 void settle_chase(CameraRig& rig, const CameraSubject& watched, const RiddenTrain& ridden);
 Eye chase(CameraRig& rig, const CameraSubject& watched, const RiddenTrain& ridden, double dt);

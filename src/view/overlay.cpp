@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/ground/ground.h"
 #include "sim/plan/element_plan.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/track_mesh.h"
@@ -66,7 +67,9 @@ struct PreviewDrawing {
   double rails;  // m above the curve
   Overlay& overlay;
   float scale;
+  const sim::Ground* ground;
 
+  bool buried(dvec3 at) const { return ground != nullptr ? ground->land().depth(at) > 0 : at.y < 0; }
   dvec3 middle(const ElementPoint& p) const { return p.position + rails * p.up; }
   dvec3 rail(const ElementPoint& p, double side) const {
     return middle(p) + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
@@ -83,7 +86,7 @@ struct PreviewDrawing {
     const bool lacks_room = std::any_of(narrow.begin(), narrow.end(), [&](const sim::LineConflict& part) {
       return part.from <= p.s && p.s <= part.to;
     });
-    return middle(p).y < 0   ? kBuriedColour
+    return buried(middle(p)) ? kBuriedColour
            : lacks_room      ? kNarrowColour
            : p.s < plan.lead ? kLeadColour
                              : kElementColour;
@@ -105,8 +108,9 @@ void add_rails(const PreviewDrawing& sketch) {
       sketch.rimmed(sketch.rail(before, side), sketch.rail(here, side), 2.0f, faded(colour, 0xd0));
     if (i % 2 == 0) sketch.line(sketch.rail(here, -1), sketch.rail(here, 1), 1.25f, faded(colour, 0x70));
     const dvec3 middle = sketch.middle(here);
-    if ((i % plumb == 0 || i == steps) && middle.y > kLeastPlumb)
-      sketch.line(middle, {middle.x, 0, middle.z}, 1.0f, faded(colour, 0x50));
+    const double foot = surface_at(sketch.ground, middle.x, middle.z);
+    if ((i % plumb == 0 || i == steps) && middle.y > foot + kLeastPlumb)
+      sketch.line(middle, {middle.x, foot, middle.z}, 1.0f, faded(colour, 0x50));
     before = here;
   }
 }
@@ -227,9 +231,9 @@ void add_failure(const sim::DerivedTrack& derived, const world::RideFailure& fai
 }  // namespace
 
 void add_element(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow, double rails,
-                 const View& view, float scale, Overlay& overlay) {
+                 const View& view, float scale, Overlay& overlay, const sim::Ground* ground) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
-  const PreviewDrawing sketch{plan, narrow, rails, overlay, scale};
+  const PreviewDrawing sketch{plan, narrow, rails, overlay, scale, ground};
   add_rails(sketch);
   add_dashes(sketch, view);
   const ElementPoint& end = plan.ideal.points.back();
@@ -264,7 +268,7 @@ Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& 
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = mark_scale(settings, view);
   const double rails = world::rails_height(document);
-  if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay);
+  if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay, findings.ground);
   add_sections(document, derived, settings, view, hovered, overlay);
   add_polygons(document, settings, scale, overlay);
   // The picked position is not a pickable mark, so it is drawn below all that are.

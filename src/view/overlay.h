@@ -45,16 +45,18 @@ struct Overlay {
 
 // Findings about the track and its ride that are marked on it.
 struct MarkedFindings {
-  std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
-  std::span<const sim::Overload> spans;       // read for Layer::limits
-  std::span<const sim::Jolt> jolts;           // of the track's knots; read for Layer::limits
-  std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
-  std::span<const sim::Fold> folds;           // read for Layer::conflicts
-  world::RideFailure failure;                 // of the ride; kind none: no failure
-  const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
-  std::span<const sim::LineConflict> narrow;  // parts of it without clearance
+  std::span<const sim::FrenetBreak> breaks;         // read for Layer::flips
+  std::span<const sim::Overload> spans;             // read for Layer::limits
+  std::span<const sim::Jolt> jolts;                 // of the track's knots; read for Layer::limits
+  std::span<const sim::Conflict> conflicts;         // read for Layer::conflicts
+  std::span<const sim::Fold> folds;                 // read for Layer::conflicts
+  std::span<const sim::FloodedTrack> flooded = {};  // read for Layer::conflicts
+  world::RideFailure failure;                       // of the ride; kind none: no failure
+  const sim::ElementPlan* element = nullptr;        // the palette's element at its preview position; null: not shown
+  std::span<const sim::LineConflict> narrow;        // parts of it without clearance
   bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
   std::span<const sim::Fold> tight_bends;  // read for Layer::conflicts
+  const sim::Ground* ground = nullptr;     // under the element; null: the plane y = 0
 };
 
 // Returns knots, handles of the selection, the control polygon of the selected segment (or of the segments at the
@@ -64,7 +66,8 @@ Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& 
                       const world::Settings& settings, const View& view, const Pick& hovered,
                       const MarkedFindings& findings = {});
 
-// 0xRRGGBBAA: the element, its lead-in, and its parts below the ground or without clearance (as conflicts).
+// 0xRRGGBBAA: the element, its lead-in, and its parts below the ground (on a land: under water) or without clearance
+// (as conflicts).
 inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff,
                                kNarrowColour = 0xffdd33ff;
 inline constexpr int kMaxElementSteps = 900;  // per rail, for any length
@@ -72,7 +75,7 @@ inline constexpr int kMaxElementSteps = 900;  // per rail, for any length
 // Adds the preview; nothing for an element that cannot be placed. `rails`: as world::rails_height(). At most 9 lines
 // per step.
 void add_element(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow, double rails,
-                 const View& view, float scale, Overlay& overlay);
+                 const View& view, float scale, Overlay& overlay, const sim::Ground* ground = nullptr);
 
 inline constexpr std::size_t kMaxSectionLines = 2000;  // for each, unless its number of segments is larger
 

@@ -264,6 +264,15 @@ void add_conflicts(const sim::DerivedTrack& derived, std::span<const sim::Confli
     add_exclamation(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)), view, scale, overlay);
 }
 
+// Adds a broad line over each stretch under water, and a sign where it is deepest.
+void add_flooded(const sim::DerivedTrack& derived, std::span<const sim::FloodedTrack> flooded, const View& view,
+                 float scale, Overlay& overlay) {
+  for (const sim::FloodedTrack& stretch : first_of(flooded)) {
+    add_band(derived, stretch.from, stretch.to, kPieces, kConflictColour, scale, overlay);
+    add_exclamation(glm::dvec3(stretch.place), view, scale, overlay);
+  }
+}
+
 }  // namespace
 
 void add_comb(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
@@ -425,6 +434,7 @@ void add_laboratory(const world::Document& document, const sim::DerivedTrack& de
   layer(Layer::flips, true, [&](Overlay& o) { add_breaks(derived, findings.breaks, view, scale, o); });
   layer(Layer::conflicts, !findings.riding, [&](Overlay& o) {
     add_conflicts(derived, findings.conflicts, view, scale, o);
+    add_flooded(derived, findings.flooded, view, scale, o);
     add_folds(derived, findings.folds, view, scale, o);
     add_folds(derived, findings.tight_bends, view, scale, o);
   });

@@ -2,6 +2,7 @@
 #include "gfx/track_cache.h"
 
 #include "gfx/studio.h"
+#include "sim/lands.h"
 #include "world/evaluation_settings.h"
 
 namespace coaster::gfx {
@@ -159,6 +160,34 @@ TEST_F(Cache, equipment_uploads_its_own_segment_and_builds_no_shape_anew) {
   track.derive();
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 1);
   EXPECT_EQ(cache.sync(track.derived, {}).uploads, 0);
+}
+
+TEST_F(Cache, platforms_over_changed_ground_are_written_again_and_nothing_else_is) {
+  Track track(test::straight_document({-100, 8, 3}, {100, 8, 3}, 10), 4);
+  track.document.entities.put(track.document.track.segments[7],
+                              world::Equipment{.kind = world::EquipmentKind::station});
+  test::shape_land(track.document, [](double, double) { return 0.0; });
+  track.derive();
+  sim::Ground ground;
+  TrackCache cache(gl_);
+  const auto uploads = [&](const sim::Ground* on) {
+    ground.update(track.document, track.derived, sim::track_room(sim::form_of(track.document.kind)));
+    return cache.sync(track.derived, {}, on).uploads;
+  };
+  EXPECT_EQ(uploads(&ground), 10);
+  EXPECT_EQ(uploads(&ground), 0);
+  const auto stroke = [&](std::int16_t x) {
+    world::GroundTile tile;
+    tile.heights.fill(32);
+    const std::pair<world::TilePlace, world::GroundTile> tiles[] = {{{x, 0}, tile}};
+    track.document.park.tiles.put(tiles);
+  };
+  stroke(-2);
+  EXPECT_EQ(uploads(&ground), 0) << "far from it";
+  stroke(0);
+  EXPECT_EQ(uploads(&ground), 1) << "under it";
+  EXPECT_EQ(uploads(&ground), 0);
+  EXPECT_EQ(uploads(nullptr), 1) << "the plane again";
 }
 
 TEST_F(Cache, an_emptied_track_has_nothing_to_draw) {

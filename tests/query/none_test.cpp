@@ -45,13 +45,14 @@ const Names kFrames{"deviation_pending",
                     "camera_tilt",
                     "camera_field_of_view",
                     "ns_per_point"};
-const Names kRide{"ride.lap_time",      "ride.g_up_max",   "ride.g_up_min",      "ride.g_side_max",
-                  "ride.g_forward_max", "ride.g_back_max", "ride.road_load_max", "ride.up_stop_load_max",
-                  "ride.side_load_max", "ride.jerk_max",   "ride.roll_rate_max", "ride.roll_acceleration_max",
-                  "ride.jolt_max",      "ride.speed_max",  "ride.envelope",      "ride.excitement",
-                  "ride.intensity",     "ride.nausea",     "ride.airtime",       "ride.drops",
-                  "ride.drop_max",      "ride.height_max", "ride.near_misses",   "ride.inversions",
-                  "ride.ghost_end",     "ride.jolt_knot",  "ride.jerk",          "ride.g_step_max"};
+const Names kRide{"ride.lap_time",      "ride.g_up_max",     "ride.g_up_min",      "ride.g_side_max",
+                  "ride.g_forward_max", "ride.g_back_max",   "ride.road_load_max", "ride.up_stop_load_max",
+                  "ride.side_load_max", "ride.jerk_max",     "ride.roll_rate_max", "ride.roll_acceleration_max",
+                  "ride.jolt_max",      "ride.speed_max",    "ride.envelope",      "ride.excitement",
+                  "ride.intensity",     "ride.nausea",       "ride.airtime",       "ride.drops",
+                  "ride.drop_max",      "ride.height_max",   "ride.near_misses",   "ride.tunnels",
+                  "ride.in_tunnels",    "ride.surroundings", "ride.inversions",    "ride.ghost_end",
+                  "ride.jolt_knot",     "ride.jerk",         "ride.g_step_max"};
 const Names kTrain{
     "ride.state",   "ride.speed",     "ride.height",       "ride.distance", "ride.travelled", "ride.lap",
     "ride.segment", "ride.energy",    "ride.energy_drift", "ride.g_up",     "ride.g_side",    "ride.g_forward",

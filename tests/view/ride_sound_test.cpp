@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/lands.h"
 #include "sim/ride/ride.h"
 #include "sim/tracks.h"
 
@@ -179,6 +180,89 @@ TEST(ride_sound, hears_the_first_train_and_whether_any_of_its_cars_is_on_a_lift)
   EXPECT_EQ(put(3.0 * segment + 6.1, 7).rack, 0);
   EXPECT_EQ(put(2.1 * segment, -7).rack, 0) << "the ratchet is silent backwards";
   EXPECT_EQ(put(2.1 * segment, -7).speed, 7);
+}
+
+// The noise of a train in a tunnel, or over water.
+RideNoise around(double inside, double splash) {
+  RideNoise noise = at_speed(16);
+  noise.inside = inside, noise.splash = splash;
+  return noise;
+}
+
+TEST(ride_sound, a_tunnel_is_louder_and_goes_on_after_the_wheels_and_water_hisses) {
+  const double open = rms(sound_of(around(0, 0), 1));
+  EXPECT_GT(rms(sound_of(around(1, 0), 1)), 1.5 * open);
+  EXPECT_GT(rms(sound_of(around(0.5, 0), 1)), 1.15 * open);
+  // Both sides hear other echoes, and what was heard outside leaves no trace.
+  RideVoice voice, fresh;
+  (void)sound_of(around(1, 0), 1, &voice);
+  (void)sound_of(around(0, 0), 1, &voice);
+  EXPECT_TRUE(voice.echo[0][0].samples.empty());
+  const std::vector<float> dry = sound_of(around(0, 0), 1), wet = sound_of(around(0, 1), 1);
+  EXPECT_GT(power_at(wet, 3100), 4 * power_at(dry, 3100));
+  EXPECT_EQ(dry, sound_of(at_speed(16), 1, &fresh));
+}
+
+// An impulse comes back after each line's time and dies away: a second later next to nothing is left.
+TEST(ride_sound, echoes_die_away) {
+  RideVoice voice;
+  (void)sound_of(around(1, 0), 1, &voice);
+  const RideNoise still{0, 0, 1, 1, 0, 1, 0};
+  std::vector<float> first(2 * kRate / 10), later(2 * kRate / 10), between(2 * kRate);
+  synthesise(voice, still, kRate, first);
+  synthesise(voice, still, kRate, between);
+  synthesise(voice, still, kRate, later);
+  EXPECT_GT(rms(first), 0.01);
+  EXPECT_LT(rms(later), 0.02 * rms(first));
+}
+
+RC_GTEST_PROP(ride_sound, in_tunnels_does_not_depend_on_blocks_either_and_stays_within_one, ()) {
+  const auto part = [] { return *rc::gen::inRange(0, 101) / 100.0; };
+  RideNoise noise = at_speed(*rc::gen::inRange(0, 150));
+  noise.inside = part(), noise.splash = part(), noise.rumble = part(), noise.load = 10 * part();
+  const std::size_t frames = *rc::gen::inRange<std::size_t>(1, 6000), cut = *rc::gen::inRange<std::size_t>(0, frames);
+  RideVoice one, two;
+  std::vector<float> whole(2 * frames), parts(2 * frames);
+  synthesise(one, noise, kRate, whole);
+  synthesise(two, noise, kRate, std::span(parts).first(2 * cut));
+  synthesise(two, noise, kRate, std::span(parts).subspan(2 * cut));
+  RC_ASSERT(whole == parts);
+  for (const float sample : whole) RC_ASSERT(std::abs(sample) <= 1.0f);
+}
+
+// A train of five cars on a level straight through a ridge, and over a lake 1 m below its rails.
+TEST(ride_sound, hears_tunnels_by_the_part_of_the_train_in_them_and_water_by_its_nearness) {
+  world::Document d = test::straight_document({-100, 5, 0}, {100, 5, 0}, 10);
+  const world::Entity cart = world::add_cart(d, d.track.segments.at(0), 0.5);
+  d.entities.get<world::Train>(cart).cars = 5;
+  const auto noise_at = [&](double front, double speed) {
+    const test::TrackOnLand track(d);
+    world::Motion motion;
+    sim::reset(d, track.derived, motion);
+    motion.state = world::RideState::running;
+    world::TrainMotion& train = motion.carts.items().front();
+    const sim::TrackPlace place = sim::place_at(track.derived, front);
+    train.segment = track.derived.order[place.index], train.s = place.s, train.track_distance = front;
+    train.speed = speed;
+    return ride_noise(d, track.derived, motion, 0.4, &track.ground);
+  };
+  EXPECT_EQ(noise_at(100, 15).inside, 0) << "no land";
+  test::shape_land(d, test::ridge(24, 30));
+  EXPECT_EQ(noise_at(40, 15).inside, 0);
+  EXPECT_NEAR(noise_at(110, 15).inside, 1, 1e-12);
+  double last = 0;
+  for (double front = 60; front < 100; front += 0.5) {
+    const double inside = noise_at(front, 15).inside;
+    EXPECT_GE(inside, last - 1e-12) << front;
+    last = inside;
+  }
+  test::shape_land(d, [](double, double) { return -6.0; });
+  EXPECT_EQ(noise_at(100, 15).splash, 0) << "no water";
+  for (const auto& [over, splash] : {std::pair(2.0, 0.0), {1.5, 0.0}, {0.75, 0.5}, {0.0, 1.0}, {-1.0, 1.0}}) {
+    d.park.water = 5 - over;
+    EXPECT_NEAR(noise_at(100, 15).splash, splash, 1e-6) << over;
+    EXPECT_NEAR(noise_at(100, 3).splash, splash / 5, 1e-6) << over;
+  }
 }
 
 }  // namespace ride_sound_test

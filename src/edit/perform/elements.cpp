@@ -20,10 +20,10 @@ namespace {
 using base::Status;
 
 // Reports what was placed, or else its warnings.
-void report(const sim::ElementPlan& plan, double missing, Change& change) {
+void report(const sim::ElementPlan& plan, double missing, const world::Document& document, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
-  if (plan.lowest < 0)
-    change.clamped.push_back(fmt::format("The element goes {:.1f} m below the ground.", -plan.lowest));
+  if (const double depth = sim::depth_of(plan, sim::Land(document.park)); depth > 0)
+    change.clamped.push_back(depth_text("element", depth, document));
   if (missing > 0)
     change.clamped.push_back(
         fmt::format("The element is {:.1f} m too close to other track for a train to pass.", missing));
@@ -87,7 +87,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   change.select = plan.forces ? section : document.track.knots.back();
   if (document.track.segments.size() == plan.spans()) add_first_train(document);
   if (plan.forces) report_forces(*SessionFindings(session).force(section), change);
-  report(plan, missing, change);
+  report(plan, missing, document, change);
   return {};
 }
 

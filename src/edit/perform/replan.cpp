@@ -115,11 +115,13 @@ void equip_again(Document& document, const sim::ElementPlan& plan, const Section
   equip(document, plan, run.first);
 }
 
-// Returns the height of the lowest knot, at most 0, m.
-float lowest_below_ground(const Document& document) {
-  float lowest = 0;
-  for (const Entity knot : document.track.knots) lowest = std::min(lowest, world::knot(document, knot).position.y);
-  return lowest;
+// Returns how deep the deepest knot is below the ground, or under a land's water, m; 0 if none is.
+float depth_of_knots(const Document& document) {
+  const sim::Land land(document.park);
+  float deepest = 0;
+  for (const Entity knot : document.track.knots)
+    deepest = std::max(deepest, static_cast<float>(land.depth(glm::dvec3(world::knot(document, knot).position))));
+  return deepest;
 }
 
 using glm::dvec3;
@@ -265,12 +267,16 @@ std::optional<sim::ClosingReplanResult> closing_for(Session& session, ClosingSea
 
 }  // namespace
 
+std::string depth_text(std::string_view what, double depth, const Document& document) {
+  return fmt::format("The {} goes {:.1f} m {}.", what, depth,
+                     document.park.plain() ? "below the ground" : "under water");
+}
+
 Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
   if (const Status taken = keep_closed(session, change, former, next); !taken) return taken;
   if (const auto broken = world::broken_invariant(next)) return refused("the track would leave the world: " + *broken);
-  if (const float lowest = lowest_below_ground(next);
-      change.clamped.empty() && lowest < lowest_below_ground(former) - 0.05f)
-    change.clamped.push_back(fmt::format("The track goes {:.1f} m below the ground.", -lowest));
+  if (const float depth = depth_of_knots(next); change.clamped.empty() && depth > depth_of_knots(former) + 0.05f)
+    change.clamped.push_back(depth_text("track", double{depth}, next));
   session.document = std::move(next);
   return {};
 }
@@ -348,8 +354,8 @@ Status replan_element(Session& session, Change& change, Document& document, Enti
   value = world::without_plan(value);
   value.kind = world::SectionKind::element, value.element = world::limited(plan.element);
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
-  if (plan.lowest < 0)
-    change.clamped.push_back(fmt::format("The section goes {:.1f} m below the ground.", -plan.lowest));
+  if (const double depth = sim::depth_of(plan, sim::Land(document.park)); depth > 0)
+    change.clamped.push_back(depth_text("section", depth, document));
   return {};
 }
 

@@ -31,8 +31,12 @@ base::Status put_in_place(world::Document& document, const world::SectionRun& ru
 
 // Makes `next`, which was made from `former`, the session's document. On a closed track the section that completes the
 // circuit adapts to what moved before it (keep_closed). Refused if it cannot, and if track would leave the limits of
-// coordinates. Warns where knots go further below the ground than before, unless the change has another warning.
+// coordinates. Warns where knots go further below the ground, or on a land under its water, than before, unless the
+// change has another warning.
 base::Status adopt(Session& session, Change& change, const world::Document& former, world::Document&& next);
+
+// Returns "The track goes 1.5 m below the ground.", or, on a land, under water; `depth` in m.
+std::string depth_text(std::string_view what, double depth, const world::Document& document);
 
 // Refused on a closed track if no section at or after that knot completes the circuit.
 base::Status may_move(const world::Document& document, std::size_t knot);

@@ -208,11 +208,11 @@ base::Status beyond_limits(const Session& session, world::Entity e, const SeekGo
                              world::label_of(session.document, e), value, command.above, command.below));
 }
 
-Unknown of_knot(const world::Knot& knot, SeekKind kind) {
+Unknown of_knot(const world::Knot& knot, SeekKind kind, bool plain) {
   if (kind == SeekKind::roll) return {world::roll_deg(knot), kSeekRollStep, -360, 360};
   const double most = world::kMaxCoordinate, start = knot.position[axis_of(kind)];
-  // Knots at or above the ground stay there.
-  return {start, kCoordinateStep, kind == SeekKind::height && start >= 0 ? 0 : -most, most};
+  // Knots at or above the ground stay there; a land is dug.
+  return {start, kCoordinateStep, plain && kind == SeekKind::height && start >= 0 ? 0 : -most, most};
 }
 
 base::Result<Numbers> of_knots(const Session& session, const SeekGoal& command) {
@@ -232,8 +232,11 @@ base::Result<Numbers> of_knots(const Session& session, const SeekGoal& command) 
   for (const world::Entity e : *knots) {
     if (std::find(stay.begin(), stay.end(), e) != stay.end()) continue;
     for (const SeekKind kind : kinds) {
-      SeekNumber number{
-          kind, e, {}, kind == SeekKind::roll ? "deg" : "m", of_knot(world::knot(session.document, e), kind)};
+      SeekNumber number{kind,
+                        e,
+                        {},
+                        kind == SeekKind::roll ? "deg" : "m",
+                        of_knot(world::knot(session.document, e), kind, session.document.park.plain())};
       if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
       numbers.push_back(std::move(number));
     }

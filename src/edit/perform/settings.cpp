@@ -7,6 +7,8 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/perform/apply_setting.h"
 #include "edit/perform/knot_runs.h"
+#include "edit/session/findings.h"
+#include "sim/ground/ground.h"
 #include "world/laboratory_settings.h"
 
 namespace coaster::edit {
@@ -51,7 +53,10 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
 Status perform(Session& session, Change& change, const SetFlyCamera& command) {
   world::FlyCamera fly = command.to;
   fly.eye = change.clamp_position("eye", fly.eye);
-  fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
+  const sim::Ground& ground = SessionFindings(session).ground();
+  const double surface = ground.surface(static_cast<double>(fly.eye.x), static_cast<double>(fly.eye.z));
+  fly.eye.y =
+      change.clamp("height", fly.eye.y, world::kLowestFlight + static_cast<float>(surface), world::kMaxCoordinate, "m");
   fly.yaw_deg = std::remainder(fly.yaw_deg, 360.0f);
   fly.pitch_deg = change.clamp("pitch", fly.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   session.settings.fly = fly;

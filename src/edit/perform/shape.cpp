@@ -12,6 +12,7 @@
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
 #include "sim/fit/heartline_rails_conversion.h"
+#include "sim/ground/land.h"
 #include "sim/plan/banking.h"
 #include "world/topology.h"
 
@@ -176,8 +177,10 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
 Status perform(Session& session, Change& change, const DropToGround& command) {
   const float to = static_cast<float>(
       change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
+  const sim::Land land(session.document.park);  // as people left it: the ground is cut to the knots themselves
   return each_knot(session, command.knots, [&](Knot& knot) {
-    knot.position.y = to;
+    const auto surface = static_cast<float>(land.surface(double{knot.position.x}, double{knot.position.z}));
+    knot.position.y = std::clamp(surface + to, -world::kMaxCoordinate, world::kMaxCoordinate);
     world::set_tangent(knot, {knot.tangent.x, 0, knot.tangent.z});  // a vertical tangent stays
   });
 }

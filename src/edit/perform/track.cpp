@@ -10,6 +10,7 @@
 #include "edit/perform/append_shape.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/perform_context.h"
+#include "sim/ground/land.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -19,8 +20,12 @@ using base::Status;
 using world::Entity;
 using world::EntityKind;
 
-constexpr float kStep = 10;                   // m, distance to a new knot if there is nothing to split
-constexpr glm::vec3 kFirstPosition{0, 2, 0};  // m, above the ground
+constexpr float kStep = 10;         // m, distance to a new knot if there is nothing to split
+constexpr double kFirstHeight = 2;  // m above the ground, of the first knot at the origin
+
+glm::vec3 first_position(const world::Document& document) {
+  return {0, static_cast<float>(sim::Land(document.park).standing(0, 0, kFirstHeight)), 0};
+}
 
 Status split_at(Session& session, Change& change, Entity segment, double t) {
   world::Document& document = session.document;
@@ -103,7 +108,7 @@ Status perform(Session& session, Change& change, const SplitSegment& command) {
 Status perform(Session& session, Change& change, const SplitLongestSegment&) {
   const world::Track& track = session.document.track;
   if (track.segments.empty()) {
-    if (track.knots.empty()) return append_at(session, change, kFirstPosition);
+    if (track.knots.empty()) return append_at(session, change, first_position(session.document));
     const world::Knot& last = world::knot(session.document, track.knots.back());
     return append_at(session, change, change.clamp_position("position", last.position + last.tangent * kStep));
   }

@@ -45,10 +45,13 @@ const sim::Ratings& SessionFindings::ratings() const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return kNone;
   const sim::ForceLimitCurves& envelope = force_limits(*session_);
-  return memory().ratings.get({found->serial, session_->derived.last_build, envelope}, [&] {
-    memory().passed.update(session_->derived);
+  const sim::Ground& land = ground();
+  return memory().ratings.get({found->serial, session_->derived.last_build, land.build(), envelope}, [&] {
+    memory().passed.update(session_->derived, {}, &land);
     const sim::NearMisses misses = sim::near_misses(*found, session_->derived, &memory().passed);
-    return sim::rate(*found, tables(), envelope.cutoff, {misses.count(), overloads()});
+    sim::Surroundings around;
+    if (!land.plain()) around = sim::surroundings_of(*found, session_->derived, land, plants());
+    return sim::rate(*found, tables(), envelope.cutoff, {misses.count(), overloads(), around});
   });
 }
 
@@ -132,7 +135,7 @@ std::span<const sim::FrenetBreak> SessionFindings::breaks() const { return memor
 
 const sim::Supports& SessionFindings::supports() const {
   memory().near.update(session_->derived);
-  memory().supports.update(session_->derived, memory().near);
+  memory().supports.update(session_->derived, memory().near, &ground());
   return memory().supports;
 }
 void SessionFindings::look_from(const sim::EyeSurroundings& around) const { memory().near.look_from(around); }
@@ -157,6 +160,11 @@ const sim::StationBuildings& SessionFindings::stations() const {
                                          &sim::MeshVertex::position);
     return sim::StationBuildings{std::move(made), known.build + (same ? 0 : 1)};
   });
+}
+
+std::span<const sim::FloodedTrack> SessionFindings::flooded() const {
+  const sim::Ground& land = ground();
+  return memory().flooded.get(land.build(), [&] { return sim::flooded_track(land); });
 }
 
 double SessionFindings::chord_error() const {

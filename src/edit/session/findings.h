@@ -26,6 +26,7 @@ struct StationBuildings;
 struct CircuitProposals;
 struct Conflict;
 struct ElementPlan;
+struct FloodedTrack;
 struct Fold;
 struct ForcePlan;
 struct FrenetBreak;
@@ -84,6 +85,7 @@ class SessionFindings {
   const sim::Ground& ground() const;                         // as it is cut to the track
   const sim::Plants& plants() const;                         // on that ground
   const sim::StationBuildings& stations() const;             // roofs, gates, boards and queues
+  std::span<const sim::FloodedTrack> flooded() const;        // track under its water
   double chord_error() const;                                // m, largest distance of a piece from its chord
   double deviation() const;                                  // m, from the challenge's start track; 0 without one
 

@@ -18,6 +18,7 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
+#include "sim/solids/flooded_track.h"
 #include "sim/solids/station_mesh.h"
 #include "sim/solids/supports.h"
 #include "sim/study/closing_replan.h"
@@ -34,8 +35,9 @@ namespace coaster::edit {
 struct FindingsCache {
   base::CachedValue<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
   sim::RideCache rides;
-  // Keyed by the ride's serial, the build of the track and the envelope.
-  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, sim::ForceLimitCurves>, sim::Ratings> ratings;
+  // Keyed by the ride's serial, the builds of track and ground, and the envelope.
+  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, sim::ForceLimitCurves>, sim::Ratings>
+      ratings;
   base::CachedValue<std::pair<std::uint64_t, sim::ForceLimitCurves>, std::vector<sim::Overload>>
       overloads;  // by the ride's serial
   sim::Riders riders;
@@ -56,7 +58,8 @@ struct FindingsCache {
   sim::Ground ground;
   sim::Plants plants;
   base::CachedValue<std::pair<std::uint64_t, std::uint64_t>, sim::StationBuildings> stations;  // by edits and ground
-  sim::NearSegments near;                                                                      // to the eye
+  base::CachedValue<std::uint64_t, std::vector<sim::FloodedTrack>> flooded;  // by the build of the ground
+  sim::NearSegments near;                                                    // to the eye
   sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
   base::CachedValue<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
   base::CachedValue<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps

@@ -15,6 +15,7 @@
 #include "exchange/export/shape_export.h"
 #include "exchange/own/json.h"
 #include "exchange/own/share_link.h"
+#include "sim/ground/ground.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
@@ -106,8 +107,10 @@ int chords(const sim::SegmentShape& shape) {
 
 // Calls visit(mesh) for each segment's track with its equipment, and for its supports, until one returns false.
 void for_each_mesh(const world::Document& document, const sim::DerivedTrack& derived, const auto& visit) {
+  sim::Ground ground;
+  ground.update(document, derived, sim::track_room(sim::form_of(document.kind)));
   sim::Supports supports;
-  supports.update(derived);
+  supports.update(derived, {}, &ground);
   const sim::SolidsDetail detail = sim::detail_of(derived);
   sim::Mesh mesh;
   for (const world::Entity segment : document.track.segments) {
@@ -118,7 +121,7 @@ void for_each_mesh(const world::Document& document, const sim::DerivedTrack& der
         shape, mesh,
         {open && segment == document.track.segments.front(), open && segment == document.track.segments.back()},
         detail);
-    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh, detail);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh, detail, &ground);
     if (!visit(mesh)) return;
     const sim::SegmentSupports* const held = supports.of(segment);
     if (held == nullptr) continue;

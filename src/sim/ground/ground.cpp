@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "sim/ground/height_ray.h"
 #include "sim/ground/noise.h"
 #include "world/sections.h"
 
@@ -69,6 +70,7 @@ void Ground::take_square(const DerivedTrack& derived) {
            place.z >= kUsualTiles / 2;
   const int across = wide ? world::kGroundTilesAcross : kUsualTiles;
   if (across == across_) return;
+  land_build_ = build_ + 1;
   // Patches that lie in both squares are kept.
   std::vector<GroundPatch> patches(static_cast<std::size_t>(across * across));
   std::vector<std::uint8_t> stale(patches.size(), 2);
@@ -158,7 +160,10 @@ void Ground::find_gates() {
 void Ground::update(const world::Document& document, const DerivedTrack& derived, const TrackRoom& room) {
   rebuilds_ = 0;
   if (document.park.plain()) {
-    if (!plain()) *this = Ground();
+    if (plain()) return;
+    const std::uint64_t build = build_ + 1;  // no number is used twice
+    *this = Ground();
+    build_ = build;
     return;
   }
   const bool new_park = document.park != land_.park(), new_room = room != room_;
@@ -189,7 +194,7 @@ void Ground::update(const world::Document& document, const DerivedTrack& derived
       for (const auto& [place, tile] : old)
         if (!now.contains(place)) mark(place);
     }
-    land_ = Land(document.park);
+    land_ = Land(document.park), land_build_ = build_ + 1;
   }
   if (new_room) {
     room_ = room;
@@ -197,7 +202,7 @@ void Ground::update(const world::Document& document, const DerivedTrack& derived
   }
   take_square(derived);
   take_samples(document, derived, new_park || new_room);
-  last_build_ = derived.last_build, order_ = derived.order;
+  last_build_ = derived.last_build, order_ = derived.order, track_length_ = derived.length;
   find_gates();
   build_patches();
   ++build_;
@@ -329,28 +334,29 @@ double Ground::height(double x, double z) const {
   });
 }
 
-std::optional<double> Ground::meet(glm::dvec3 origin, glm::dvec3 direction, double most) const {
-  const auto over = [&](double t) {
-    const glm::dvec3 p = origin + t * direction;
-    return p.y - height(p.x, p.z);
-  };
-  if (over(0) < 0) return std::nullopt;
-  double before = 0;
-  for (double t = 0; t < most;) {
-    // Steps of half a cell near the eye, longer far away and high above all land.
-    const double margin = over(t);
-    t = std::fmin(t + std::fmax(0.5 * world::kGroundCell * (1 + t / 200), 0.25 * margin), most);
-    if (over(t) >= 0) {
-      before = t;
-      continue;
-    }
-    for (double low = before, high = t;;) {
-      const double middle = 0.5 * (low + high);
-      if (high - low < 1e-5 || middle <= low || middle >= high) return high;
-      (over(middle) >= 0 ? low : high) = middle;
-    }
+std::uint64_t Ground::build_under(const curve::Box& box) const {
+  if (plain()) return 0;
+  const double edge = 0.5 * across_ * kTile;
+  const auto tile = [&](float x) { return tile_of(std::clamp(double{x}, -edge, edge - 1)) + across_ / 2; };
+  const bool beyond =
+      !in_square(double{box.low.x}, double{box.low.z}) || !in_square(double{box.high.x}, double{box.high.z});
+  std::uint64_t build = beyond ? land_build_ : 0;
+  for (int z = tile(box.low.z); z <= tile(box.high.z); ++z)
+    for (int x = tile(box.low.x); x <= tile(box.high.x); ++x)
+      build = std::max(build, patches_[static_cast<std::size_t>(z * across_ + x)].build);
+  return build;
+}
+
+const Tunnel* Ground::tunnel_at(double distance) const {
+  for (const Tunnel& tunnel : tunnels_) {
+    const double behind = distance - tunnel.from;
+    if ((behind >= 0 && behind <= tunnel.length) || behind + track_length_ <= tunnel.length) return &tunnel;
   }
-  return std::nullopt;
+  return nullptr;
+}
+
+std::optional<double> Ground::meet(glm::dvec3 origin, glm::dvec3 direction, double most) const {
+  return meet_heights(origin, direction, most, [&](double x, double z) { return height(x, z); });
 }
 
 }  // namespace coaster::sim

@@ -58,6 +58,10 @@ class Ground {
   std::span<const TunnelGate> gates() const { return gates_; }  // two of each tunnel, in the tunnels' order
   std::uint64_t build() const { return build_; }                // a new number when anything of this changes
   int rebuilds() const { return rebuilds_; }                    // patches built in the last update
+  // Returns a number that differs if the ground below or above a box has changed; 0: plain.
+  std::uint64_t build_under(const curve::Box& box) const;
+  // Returns the tunnel at a place of the track, in m from its start; null if there is none.
+  const Tunnel* tunnel_at(double distance) const;
 
  private:
   struct SegmentSamples {
@@ -88,7 +92,8 @@ class Ground {
   std::vector<TrackSample> samples_;
   std::vector<Tunnel> tunnels_;
   std::vector<TunnelGate> gates_;
-  std::uint64_t last_build_ = 0, build_ = 0;
+  std::uint64_t last_build_ = 0, build_ = 0, land_build_ = 0;  // land_build_: of the land, or of the square
+  double track_length_ = 0;                                    // m
   int rebuilds_ = 0;
 };
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "sim/ground/height_ray.h"
 #include "sim/ground/noise.h"
 
 namespace coaster::sim {
@@ -157,6 +159,21 @@ double Land::height(double x, double z) const {
   if (plain()) return 0;
   if (!(std::fabs(x) < 1e7) || !(std::fabs(z) < 1e7)) return 0;
   return height_between(x, z, [&](GroundVertex at) { return vertex(at); });
+}
+
+double Land::standing(double x, double z, double over) const {
+  return std::round(surface(x, z) / world::kHeightStep) * world::kHeightStep + over;
+}
+
+double Land::depth(glm::dvec3 rails) const {
+  if (plain()) return -rails.y;
+  constexpr double kDry = -std::numeric_limits<double>::infinity();
+  if (!(rails.y < park_.water)) return park_.water > world::kNoWater ? park_.water - rails.y : kDry;
+  return height(rails.x, rails.z) < rails.y + kLeastOverhead ? park_.water - rails.y : kDry;
+}
+
+std::optional<double> Land::meet(glm::dvec3 origin, glm::dvec3 direction, double most) const {
+  return meet_heights(origin, direction, most, [&](double x, double z) { return surface(x, z); });
 }
 
 }  // namespace coaster::sim

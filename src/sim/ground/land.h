@@ -2,6 +2,8 @@
 // and snapping ask it, so that planning twice gives the same bits.
 #pragma once
 
+#include <optional>
+
 #include <glm/glm.hpp>
 
 #include "world/document.h"
@@ -29,6 +31,17 @@ class Land {
   double height(double x, double z) const;
   // Returns the seeded height (m) at a place, a smooth function of it; farther out than the square it falls to 0.
   double seeded(double x, double z) const;
+
+  // Returns the height (m) of what one sees from above: land or water.
+  double surface(double x, double z) const { return std::fmax(height(x, z), park_.plain() ? 0.0 : park_.water); }
+  // Returns `over` m above the surface, where new track begins: in whole kHeightStep, so that a knot keeps it exactly.
+  double standing(double x, double z, double over) const;
+  // Returns how deep (m) a point of the rails is where none may go: below the plane y = 0 if plain, else under water,
+  // unless kLeastOverhead of earth keep it away as in a tunnel. Negative above; minus infinity where there is no water.
+  double depth(glm::dvec3 rails) const;
+  static constexpr double kLeastOverhead = 4.5;  // m
+  // As Ground::meet(), of the surface; for each metre of the way about a microsecond.
+  std::optional<double> meet(glm::dvec3 origin, glm::dvec3 direction, double most = 2000) const;
 
  private:
   world::Park park_;

@@ -67,7 +67,7 @@ std::vector<double> levels_between(const CircuitCandidates& c, double floor) {
 
 double floor_of(const CircuitTask& task) {
   const double ends = std::min(task.from.position.y, task.home.position.y);
-  return std::min(kLowestRails - task.rails, ends) - 0.01;
+  return std::min(bottom(task) + kLowestRails - task.rails, ends) - 0.01;
 }
 
 HeightEnds ends_of(const CircuitCandidates& c, const TurnsInPlan& turns) {
@@ -126,7 +126,8 @@ CircuitCandidates prepared(const CircuitTask& task) {
   c.out = lead_to(task.home, lead_radius(back, end));
   const double floor = floor_of(task);
   if (std::min(c.in.height, c.out.height) < floor)
-    c.refusal = "the ground is in the way: the track is too steep there to be levelled above it";
+    c.refusal =
+        fmt::format("the {} is in the way: the track is too steep there to be levelled above it", bottom_name(task));
   else c.levels = levels_between(c, floor);
   return c;
 }

@@ -86,6 +86,7 @@ struct CircuitTask {
   bool coasts = true;                     // the speed follows from the energy; false: it is constant
   world::Losses losses;                   // of that train
   double rails = 0, riders = 0;           // m above the curve
+  std::optional<double> water = {};       // m, its level on a land, kNoWater if there is none; nothing without a land
   friend bool operator==(const CircuitTask&, const CircuitTask&) = default;
 };
 
@@ -95,7 +96,8 @@ inline constexpr double kMostUp = 4.0, kLeastUp = -0.3, kMostSide = 1.2;  // g
 inline constexpr double kGentleSide = 0.55;
 inline constexpr double kSlowestHome = 2;     // m/s, anywhere on it; less for a train that arrives slower
 inline constexpr double kSteepestHome = 0.7;  // m per metre in plan, between the bends
-inline constexpr double kLowestRails = 1;     // m above the ground, or the lower end's height if that is less
+// m above the ground, on a land above the water's level, or the lower end's height if that is less.
+inline constexpr double kLowestRails = 1;
 
 struct FeltRange {
   double most = 1, least = 1, side = 0;  // g: vertical, and the largest lateral
@@ -107,6 +109,10 @@ struct ClosingCurve {
   TurnsInPlan turns;
   HeightProfile heights;
 };
+
+// Returns the height (m) of what closing sections stay above, and its name.
+inline double bottom(const CircuitTask& task) { return task.water.value_or(0); }
+inline const char* bottom_name(const CircuitTask& task) { return task.water ? "water" : "ground"; }
 
 // Returns the least speed on it, m/s.
 inline double slowest(const CircuitTask& task) { return std::min(kSlowestHome, 0.8 * task.speed); }

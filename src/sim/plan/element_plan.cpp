@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -115,6 +116,7 @@ std::optional<TrackEnd> open_end(const world::Document& document) {
     // Riders who hang below the rails need room for their feet over the platform.
     constexpr double kFeet = 2.6;  // m
     TrackEnd first;
+    first.position.y = Land(document.park).standing(first.position.x, first.position.z, first.position.y);
     if (base::row_of(document.kind).heartline < 0) first.position.y += kFeet;
     return first;
   }
@@ -178,6 +180,12 @@ ElementPlan plan_element(const world::Element& element, const world::Document& d
   if (!speed) plan.lines.push_back(assumed_text());
   plan.lowest = lowest_of(plan.ideal);
   return plan;
+}
+
+double depth_of(const ElementPlan& plan, const Land& land) {
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const ElementPoint& p : plan.ideal.points) deepest = std::max(deepest, land.depth(p.position));
+  return deepest;
 }
 
 std::string assumed_text() {

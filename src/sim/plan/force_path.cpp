@@ -322,7 +322,8 @@ constexpr double kLongestPath = 5000;  // m, longest section over time
 
 class Integration {
  public:
-  explicit Integration(const ForceTask& task) : task_(task), law_(task), above_(rails_height_of(law_.start()) >= 0) {}
+  explicit Integration(const ForceTask& task)
+      : task_(task), law_(task), above_(!task.digs && rails_height_of(law_.start()) >= 0) {}
 
   ForcePath run() {
     ForcePath path;

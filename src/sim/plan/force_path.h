@@ -50,6 +50,7 @@ struct ForceTask {
   // What is added to what the keys ask for so that it ends there (force_end_constraint.h), over the length that this
   // takes.
   std::optional<world::ForceProgram> added = {};
+  bool digs = false;  // a land is cut or tunnelled where it goes below y = 0; else it may not go there
   double length() const { return added ? added->length : program.length; }  // m or s
   friend bool operator==(const ForceTask&, const ForceTask&) = default;
 };

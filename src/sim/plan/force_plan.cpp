@@ -124,6 +124,7 @@ ForceTask force_task(const world::Document& document, const world::SectionRun& r
 
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program) {
   ForceTask task{end, program, document.resistance, world::rails_height(document), world::riders_height(document)};
+  task.digs = !document.park.plain();
   if (const world::Train* const cart = document.entities.find<world::Train>(world::first_cart(document)))
     task.losses = resistance_of(document, cart->mass), task.cars = cart->cars, task.spacing = cart->spacing;
   return task;

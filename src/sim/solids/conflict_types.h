@@ -1,4 +1,4 @@
-// Places where track, or a planned line, lacks clearance (sim/solids/conflicts.h).
+// Places where track, or a planned line, lacks clearance (sim/solids/conflicts.h), or is under water (flooded_track.h).
 #pragma once
 
 #include <span>
@@ -22,6 +22,14 @@ struct LineConflict {
   double from = 0, to = 0;  // m along the line
   double missing = 0;       // m, as in a conflict
   double other = -1;        // m along the track, narrowest position; below 0: an earlier part of the line
+};
+
+// A stretch whose rails are under the water of a land. Where it passes the start of a closed track it is two.
+struct FloodedTrack {
+  double from = 0, to = 0;  // m along the track, within 1.5 m
+  double depth = 0;         // m, the largest
+  glm::vec3 place{0};       // m, of the rails there
+  friend bool operator==(const FloodedTrack&, const FloodedTrack&) = default;
 };
 
 // Returns the largest missing clearance, m; 0 if there is none.

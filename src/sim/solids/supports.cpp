@@ -23,21 +23,28 @@ constexpr double kStrutted = 9;      // m: longer legs have a strut between them
 constexpr double kUpright = -0.1;    // vertical component of the frame's up: below it the track is inverted
 constexpr double kLevelPart = 0.35;  // horizontal part of a direction that counts as sideways
 
+// The ground that supports stand on; without one the plane y = 0.
+struct Footing {
+  const Ground* ground;
+  double height(dvec3 p) const { return ground != nullptr ? ground->height(p.x, p.z) : 0; }
+  dvec3 below(dvec3 p) const { return {p.x, height(p), p.z}; }
+};
+
 struct SupportSite {
-  dvec3 top;  // on the spine's axis
-  double height, radius;
-  dvec3 side;     // level, perpendicular to the track
-  dvec3 back{0};  // level, away from the riders; zero on level track
+  dvec3 top;              // on the spine's axis
+  double height, radius;  // m: of the top over the ground, of a column
+  dvec3 side;             // level, perpendicular to the track
+  dvec3 back{0};          // level, away from the riders; zero on level track
   bool upright;
 };
 
 dvec3 level(dvec3 v) { return {v.x, 0, v.z}; }
 
-SupportSite site_at(const Ring& at, const CoasterForm& form) {
+SupportSite site_at(const Ring& at, const CoasterForm& form, const Footing& footing) {
   SupportSite site{};
   const dvec3 riders = form.side * at.frame.up;  // the side on which they are
   site.top = at.position + form.hold * at.frame.up;
-  site.height = site.top.y;
+  site.height = site.top.y - footing.height(site.top);
   site.radius = std::clamp(0.13 + 0.0055 * site.height, 0.13, 0.36);
   const dvec3 across(at.frame.forward.z, 0, -at.frame.forward.x), left = level(at.frame.left());
   site.side = glm::length(across) > 0.2 ? glm::normalize(across)
@@ -53,23 +60,21 @@ Bar bar(dvec3 from, dvec3 to, double from_radius, double to_radius, bool grounde
   return {glm::vec3(from), glm::vec3(to), static_cast<float>(from_radius), static_cast<float>(to_radius), grounded};
 }
 
-dvec3 on_ground(dvec3 p) { return {p.x, 0, p.z}; }
-
 class FormTrial {
  public:
-  FormTrial(const SupportSite& site, const std::function<bool(std::span<const Bar>)>& takes)
-      : site_(site), takes_(takes) {}
+  FormTrial(const SupportSite& site, const Footing& footing, const std::function<bool(std::span<const Bar>)>& takes)
+      : site_(site), footing_(footing), takes_(takes) {}
 
   bool leg(double aside) const {
-    return takes_(
-        std::array{bar(site_.top, on_ground(site_.top + aside * site_.side), 0.8 * site_.radius, site_.radius, true)});
+    const dvec3 foot = footing_.below(site_.top + aside * site_.side);
+    return stands(foot) && takes_(std::array{bar(site_.top, foot, 0.8 * site_.radius, site_.radius, true)});
   }
   bool two_legs(double spread) const {
-    const auto one = [&](double way) {
-      return bar(site_.top, on_ground(site_.top + way * spread * site_.side), 0.7 * site_.radius, 0.9 * site_.radius,
-                 true);
-    };
-    const Bar a = one(1), b = one(-1);
+    const dvec3 left = footing_.below(site_.top + spread * site_.side),
+                right = footing_.below(site_.top - spread * site_.side);
+    if (!stands(left) || !stands(right)) return false;
+    const Bar a = bar(site_.top, left, 0.7 * site_.radius, 0.9 * site_.radius, true),
+              b = bar(site_.top, right, 0.7 * site_.radius, 0.9 * site_.radius, true);
     if (site_.height < kStrutted) return takes_(std::array{a, b});
     constexpr float kDown = 0.55f;  // of the legs' height
     const double thin = 0.55 * site_.radius;
@@ -79,14 +84,19 @@ class FormTrial {
   // An arm that slopes down outwards on upright track and is level on inverted track.
   bool arm(dvec3 direction, double out) const {
     const dvec3 elbow = site_.top + out * direction - dvec3(0, site_.upright ? 0.25 * out : 0.0, 0);
-    if (direction == dvec3(0) || elbow.y < kLowestSupport) return false;
+    const dvec3 foot = footing_.below(elbow);
+    if (direction == dvec3(0) || elbow.y - foot.y < kLowestSupport) return false;
     const double r = site_.radius;
     return takes_(std::array{bar(site_.top, elbow, 0.8 * r, r, false),
-                             bar(elbow + dvec3(0, 0.5 * r, 0), on_ground(elbow), r, 1.1 * r, true)});
+                             bar(elbow + dvec3(0, 0.5 * r, 0), foot, r, 1.1 * r, true)});
   }
 
  private:
+  // Beside the track the ground may rise above it.
+  bool stands(dvec3 foot) const { return site_.top.y - foot.y >= kLowestSupport; }
+
   const SupportSite& site_;
+  const Footing& footing_;
   const std::function<bool(std::span<const Bar>)>& takes_;
 };
 
@@ -109,8 +119,8 @@ void add_collar(const Ring& hold, const CoasterForm& form, Mesh& mesh) {
   add_tube(ends, {{0, form.hold}, form.hold_radius + kThick, 12, 4, Material::tie}, mesh);
 }
 
-// A frame of timber across the track: two legs that spread downwards, with a ledger every kStorey m above the ground,
-// so that those of neighbours are level.
+// A frame of timber across the track: two legs that spread downwards, with a ledger at every multiple of kStorey m
+// above the feet, so that those of neighbours are level on any ground.
 struct Bent {
   static constexpr double kStorey = 3.2, kSpread = 0.10, kHalfLeg = 0.11, kBetween = 1.15;  // m
   static constexpr double kLeast = 0.8;                                                     // m of the topmost storey
@@ -118,20 +128,22 @@ struct Bent {
   std::array<dvec3, 2> tops, feet;
 
   double top() const { return std::min(tops[0].y, tops[1].y); }
-  // Returns the number of ledgers.
-  int storeys() const { return std::max(0, static_cast<int>((top() - kLeast) / kStorey)); }
+  // Return the storey in which the feet are, and the topmost one that has a ledger.
+  int base() const { return static_cast<int>(std::floor((std::max(feet[0].y, feet[1].y) + kLeast) / kStorey)); }
+  int storeys() const { return std::max(base(), static_cast<int>(std::floor((top() - kLeast) / kStorey))); }
   std::array<Bar, 2> legs() const {
     return {bar(tops[0], feet[0], kHalfLeg, kHalfLeg, true), bar(tops[1], feet[1], kHalfLeg, kHalfLeg, true)};
   }
-  // Returns the point of a leg at ledger `storey`, from 0 on the ground; above the last one its top.
+  // Returns the point of a leg at ledger `storey`; its foot at the base or below, its top above the last one.
   dvec3 on_leg(std::size_t leg, int storey) const {
     if (storey > storeys()) return tops[leg];
-    return glm::mix(feet[leg], tops[leg], storey * kStorey / tops[leg].y);
+    const double over = storey > base() ? storey * kStorey - feet[leg].y : 0;
+    return glm::mix(feet[leg], tops[leg], over / (tops[leg].y - feet[leg].y));
   }
 };
 
 // Returns nothing where the track is steep, banked too far, or on the ground.
-std::optional<Bent> bent_at(const Ring& at, const CoasterForm& form) {
+std::optional<Bent> bent_at(const Ring& at, const CoasterForm& form, const Footing& footing) {
   constexpr double kLeastLevel = 0.1, kLeastUp = 0.3;
   const dvec3 left = at.frame.left(), flat = level(left);
   if (glm::length(level(at.frame.forward)) < kLeastLevel || at.frame.up.y < kLeastUp || glm::length(flat) < kLeastLevel)
@@ -140,9 +152,10 @@ std::optional<Bent> bent_at(const Ring& at, const CoasterForm& form) {
   for (const std::size_t leg : {std::size_t{0}, std::size_t{1}}) {
     const double side = leg == 0 ? 1 : -1;
     bent.tops[leg] = at.place(side * Bent::kBetween, form.hold);
-    const double height = bent.tops[leg].y;
+    const double height = bent.tops[leg].y - footing.height(bent.tops[leg]);
     if (height < kLowestSupport) return std::nullopt;
-    bent.feet[leg] = on_ground(bent.tops[leg] + side * Bent::kSpread * height * glm::normalize(flat));
+    bent.feet[leg] = footing.below(bent.tops[leg] + side * Bent::kSpread * height * glm::normalize(flat));
+    if (bent.tops[leg].y - bent.feet[leg].y < kLowestSupport) return std::nullopt;
   }
   return bent;
 }
@@ -155,8 +168,9 @@ Brace brace(dvec3 from, dvec3 to, double half, bool from_afar) {
 void add_braces(const Bent& bent, std::vector<Brace>& braces) {
   constexpr double kCap = 0.10, kLedger = 0.07, kCross = 0.055;  // m
   braces.push_back(brace(bent.tops[0], bent.tops[1], kCap, true));
-  for (int storey = 0; storey <= bent.storeys(); ++storey) {
-    if (storey > 0) braces.push_back(brace(bent.on_leg(0, storey), bent.on_leg(1, storey), kLedger, storey % 2 == 0));
+  for (int storey = bent.base(); storey <= bent.storeys(); ++storey) {
+    if (storey > bent.base())
+      braces.push_back(brace(bent.on_leg(0, storey), bent.on_leg(1, storey), kLedger, storey % 2 == 0));
     for (const std::size_t leg : {std::size_t{0}, std::size_t{1}})
       braces.push_back(brace(bent.on_leg(leg, storey), bent.on_leg(1 - leg, storey + 1), kCross, false));
   }
@@ -167,9 +181,9 @@ void add_ribbons(const Bent& from, const Bent& to, int number, std::vector<Brace
   constexpr double kRibbon = 0.06, kDiagonal = 0.05, kFarthest = 5;  // m
   if (glm::distance(from.tops[0], to.tops[0]) > kFarthest || glm::distance(from.tops[1], to.tops[1]) > kFarthest)
     return;
-  const int storeys = std::min(from.storeys(), to.storeys());
+  const int lowest = std::max(from.base(), to.base()), storeys = std::min(from.storeys(), to.storeys());
   for (const std::size_t leg : {std::size_t{0}, std::size_t{1}})
-    for (int storey = 1; storey <= storeys; ++storey) {
+    for (int storey = lowest + 1; storey <= storeys; ++storey) {
       braces.push_back(brace(from.on_leg(leg, storey), to.on_leg(leg, storey), kRibbon, storey % 2 == 0));
       if ((number + storey) % 3 == 0)
         braces.push_back(brace(from.on_leg(leg, storey), to.on_leg(leg, storey - 1), kDiagonal, false));
@@ -193,11 +207,11 @@ void add_timber(dvec3 from, dvec3 to, double half, bool from_afar, Mesh& mesh) {
 }
 
 void add_bents(const SegmentSupports& supports, Mesh& mesh) {
-  constexpr double kFooting = 0.28, kHigh = 0.14;  // m
+  constexpr double kFooting = 0.28, kPad = 0.14;  // m
   for (const Bar& leg : supports.bars) {
     add_timber(dvec3(leg.from), dvec3(leg.to), double{leg.to_radius}, true, mesh);
     const dvec3 foot(leg.to);
-    add_box(foot + dvec3(0, 0.5 * kHigh, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kHigh, kFooting},
+    add_box(foot + dvec3(0, 0.5 * kPad, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kPad, kFooting},
             Material::concrete, 0, false, mesh);
   }
   for (const Brace& each : supports.braces)
@@ -243,10 +257,11 @@ curve::Box bars_box(const curve::Box& box, const CoasterForm& form) {
 
 }  // namespace
 
-bool try_forms(const Ring& at, const CoasterForm& form, const std::function<bool(std::span<const Bar>)>& takes) {
-  const SupportSite site = site_at(at, form);
+bool try_forms(const Ring& at, const CoasterForm& form, const Footing& footing,
+               const std::function<bool(std::span<const Bar>)>& takes) {
+  const SupportSite site = site_at(at, form, footing);
   if (site.height < kLowestSupport) return false;
-  const FormTrial trial(site, takes);
+  const FormTrial trial(site, footing, takes);
   if (site.upright) {
     if (site.height > kHigh && trial.two_legs(std::min(0.15 * site.height, 7.0))) return true;
     if (trial.leg(0)) return true;
@@ -338,6 +353,7 @@ void Supports::take_shapes(const DerivedTrack& derived) {
     entry->stale = true;
     entry->lane = {rings_of(shape, detail_.most_rings), rails_box(shape)};
     entry->reach = bars_box(entry->lane.box, form_of(shape));
+    entry->ground = 0, ground_build_ = kUnknown;
     entry->spacing = spacing_of(shape);
     if (!still) moved_.push_back(entry->lane.box);
   }
@@ -385,8 +401,9 @@ SegmentSupports Supports::find_columns(const DerivedTrack& derived, std::size_t 
   SegmentSupports found{.form = SupportForm::column, .places = count};
   for (int k = 0; k < count; ++k) {
     const double s = shape.arc.length() * (k + 0.5) / count;
+    if (in_tunnel(derived.starts[index] + s)) continue;
     const Ring at = ring_at(shape, s);
-    const bool held = try_forms(at, form_of(shape), [&](std::span<const Bar> bars) {
+    const bool held = try_forms(at, form_of(shape), {ground_}, [&](std::span<const Bar> bars) {
       const bool clear = apart(bars, found.bars) && std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) {
                            return is_clear(derived, lanes_, bar, {index, s});
                          });
@@ -408,7 +425,8 @@ SegmentSupports Supports::find_bents(const DerivedTrack& derived, std::size_t in
   const bool linked = spacing.every == 1;
   for (int k = 0; k < count + (linked ? 1 : 0); ++k) {
     const double s = shape.arc.length() * k / std::max(count, 1);
-    std::optional<Bent> bent = bent_at(ring_at(shape, s), form_of(shape));
+    std::optional<Bent> bent = bent_at(ring_at(shape, s), form_of(shape), {ground_});
+    if (bent && in_tunnel(derived.starts[index] + s)) bent.reset();
     if (bent && !std::ranges::all_of(bent->legs(), [&](const Bar& leg) {
           return is_clear(derived, lanes_, leg, {index, s});
         }))
@@ -442,7 +460,24 @@ void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
   entry.found = std::move(found);
 }
 
-void Supports::update(const DerivedTrack& derived, const NearSegments& near) {
+bool Supports::in_tunnel(double distance) const {
+  return ground_ != nullptr && ground_->tunnel_at(distance) != nullptr;
+}
+
+// The supports of a segment are found again where the ground under their reach changed.
+bool Supports::take_ground(const Ground* ground) {
+  ground_ = ground != nullptr && !ground->plain() ? ground : nullptr;
+  const std::uint64_t build = ground_ != nullptr ? ground_->build() : 0;
+  if (std::exchange(ground_build_, build) == build) return false;
+  bool moved = false;
+  for (Entry& entry : entries_.items()) {
+    const std::uint64_t under = ground_ != nullptr ? ground_->build_under(entry.reach) : 0;
+    if (std::exchange(entry.ground, under) != under) entry.stale = moved = true;
+  }
+  return moved;
+}
+
+void Supports::update(const DerivedTrack& derived, const NearSegments& near, const Ground* ground) {
   rebuilds_ = 0;
   moved_.clear(), lanes_.clear();
   if (const SolidsDetail detail = near.detail(detail_of(derived)); !(detail == detail_)) {
@@ -456,10 +491,11 @@ void Supports::update(const DerivedTrack& derived, const NearSegments& near) {
   take_shapes(derived);
   if (others) drop_others(derived);
   if (others && !near.everywhere()) forget_far();
+  const bool raised = take_ground(ground);
   if (!moved_.empty() || others) {
     take_turns();
     mark_disturbed();
-  } else if (near.everywhere()) {
+  } else if (near.everywhere() && !raised) {
     return;
   }
   count_ = 0;
@@ -469,6 +505,7 @@ void Supports::update(const DerivedTrack& derived, const NearSegments& near) {
   };
   for (const std::size_t index : near.everywhere() ? places_ : near_)
     if (!base::interrupted()) find(index);
+  ground_ = nullptr;
 }
 
 const SegmentSupports* Supports::of(world::Entity segment) const {

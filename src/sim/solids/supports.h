@@ -1,11 +1,12 @@
 // Supports of the track, built automatically: columns from the spine to the ground, or bents of timber, which stay
-// outside the clearance envelope of trains. Cached per segment and recomputed where the track near a support's possible
-// positions changed. They depend only on the present track, not on its history.
+// outside the clearance envelope of trains. Cached per segment and recomputed where the track or the ground near a
+// support's possible positions changed. They depend only on the present track and ground, not on their history.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "sim/ground/ground.h"
 #include "sim/shape/detail_limits.h"
 #include "sim/solids/clearance.h"
 
@@ -48,8 +49,10 @@ class Supports {
  public:
   // Updates the supports of near segments, and forgets the others; of all without `near`. If nothing changed, costs one
   // comparison per segment near them. Else recomputes the supports of changed segments and of those that they came near
-  // to or left, about 10 microseconds per support.
-  void update(const DerivedTrack& derived, const NearSegments& near = {});
+  // to or left, about 10 microseconds per support. They stand on `ground` as it is cut to this track, piles on the bed
+  // of a lake; none are in tunnels, or where the spine is less than kLowestSupport above the ground. Null: on the plane
+  // y = 0.
+  void update(const DerivedTrack& derived, const NearSegments& near = {}, const Ground* ground = nullptr);
 
   // Returns those of a near segment.
   const SegmentSupports* of(world::Entity segment) const;
@@ -61,6 +64,7 @@ class Supports {
  private:
   struct Entry {
     std::uint64_t shape_build = 0, stamp = 0;  // stamp: of the last update
+    std::uint64_t ground = 0;                  // build of the ground under `reach`
     bool stale = true;
     SegmentClearance lane;
     curve::Box reach;  // contains all possible positions of bars
@@ -73,6 +77,8 @@ class Supports {
   void drop_others(const DerivedTrack& derived);
   void forget_far();
   void take_turns();
+  bool take_ground(const Ground* ground);
+  bool in_tunnel(double distance) const;
   void mark_disturbed();
   void find_if_stale(const DerivedTrack& derived, std::size_t index);
   SegmentSupports find_columns(const DerivedTrack& derived, std::size_t index, int count) const;
@@ -85,8 +91,11 @@ class Supports {
   std::vector<curve::Box> moved_;    // present and former boxes of moved track, in the current update
   std::vector<const SegmentClearance*>
       lanes_;  // by index in the track, in the current update; empty until one is needed
+  static constexpr std::uint64_t kUnknown = UINT64_MAX;
+  const Ground* ground_ = nullptr;                        // during an update; null: the plane
   std::uint64_t last_build_ = 0, build_ = 0, stamp_ = 0;  // build_: of the track
-  SolidsDetail detail_;                                   // without parts there are no supports
+  std::uint64_t ground_build_ = 0;
+  SolidsDetail detail_;  // without parts there are no supports
   bool closed_ = false;
   int count_ = 0, rebuilds_ = 0;
 };

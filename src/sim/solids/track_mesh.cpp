@@ -10,6 +10,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/ground/ground.h"
 #include "sim/shape/rails.h"
 
 namespace coaster::sim {
@@ -25,6 +26,7 @@ struct EquipmentMeshInput {
   const CoasterForm& form;
   std::vector<Ring> rings;
   Mesh& mesh;
+  const Ground* ground;
 
   // Returns rings whose up leads to the riders' side of the rails, for what acts on trains from the other side.
   std::vector<Ring> towards_riders(std::vector<Ring> some) const {
@@ -146,8 +148,9 @@ void add_platforms(const EquipmentMeshInput& fitting) {
     for (const Ring& at : level(spaced_rings(fitting.shape, 4.5)))
       for (const double out : {kInner + 0.35, kOuter - 0.35}) {
         const dvec3 top = at.place(side * out, floor - 0.5 * kThick);
-        if (top.y > kThick)
-          add_bar({top.x, 0, top.z}, top, 0.14, 0.14, 8, Material::concrete, at.along, true, fitting.mesh);
+        const double foot = fitting.ground != nullptr ? fitting.ground->height(top.x, top.z) : 0;
+        if (top.y - foot > kThick)
+          add_bar({top.x, foot, top.z}, top, 0.14, 0.14, 8, Material::concrete, at.along, true, fitting.mesh);
       }
   }
 }
@@ -221,9 +224,10 @@ void flatten(Mesh& mesh, double half) {
 
 }  // namespace
 
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail) {
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail,
+                  const Ground* ground) {
   if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
-  const EquipmentMeshInput fitting{shape, form_of(shape), rings_of(shape, detail.most_rings), mesh};
+  const EquipmentMeshInput fitting{shape, form_of(shape), rings_of(shape, detail.most_rings), mesh, ground};
   switch (kind) {
     case world::EquipmentKind::station: return add_platforms(fitting);
     case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);

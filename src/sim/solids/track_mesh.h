@@ -9,6 +9,8 @@
 
 namespace coaster::sim {
 
+class Ground;
+
 // m, largest deviation of rails from their line between rings, unless there are SolidsDetail::most_rings.
 inline constexpr double kSagitta = 0.01;
 
@@ -48,7 +50,9 @@ TrackPieces track_pieces(const CoasterForm& form);
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
 // blocks, blocks of a linear motor on a launch, platforms next to the track in a station. Walkways and platforms are
-// left out where the track is too steep or too banked. Adds nothing for a segment of zero length.
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail = {});
+// left out where the track is too steep or too banked. Platforms stand on `ground`; null: on the plane y = 0. Adds
+// nothing for a segment of zero length.
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail = {},
+                  const Ground* ground = nullptr);
 
 }  // namespace coaster::sim

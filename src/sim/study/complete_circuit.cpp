@@ -63,8 +63,9 @@ std::vector<LinePoint> rough_points(const std::vector<ClosingPlace>& places, dou
 }
 
 bool buried(const CircuitTask& task, const ElementCurve& curve) {
-  const double floor =
-      std::min(kLowestRails, std::min(task.from.position.y, task.home.position.y) + std::min(task.rails, 0.0)) - 0.05;
+  const double floor = std::min(bottom(task) + kLowestRails,
+                                std::min(task.from.position.y, task.home.position.y) + std::min(task.rails, 0.0)) -
+                       0.05;
   return std::any_of(curve.points.begin(), curve.points.end(),
                      [&](const ElementPoint& p) { return (p.position + task.rails * p.up).y < floor; });
 }
@@ -187,7 +188,8 @@ struct ProposalSearch {
       return fmt::format("the train is too fast for the room there: {} m/s at the open end, and at least {:.1f} g",
                          base::to_text(std::round(candidates.task.speed * 10) / 10), least);
     }
-    if (buried_ones > 0 || losses.buried > 0) return "the ground is in the way: every closing section runs below it";
+    if (buried_ones > 0 || losses.buried > 0)
+      return fmt::format("the {} is in the way: every closing section runs below it", bottom_name(candidates.task));
     if (losses.slow > 0) return "the train is too slow: it stops on every closing section";
     if (unfit > 0) return "the ends are too sharp or too far from the origin for a fit within 1 cm";
     const double rise = candidates.task.home.position.y - candidates.task.from.position.y;
@@ -236,6 +238,7 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const D
   const Roll &before = derived.shape_at(derived.order.size() - 1).roll, &after = derived.shape_at(0).roll;
   task.from_slope = before.slope(before.length), task.home_slope = after.slope(0);
   task.rails = world::rails_height(document), task.riders = world::riders_height(document);
+  if (!document.park.plain()) task.water = document.park.water;
   task.speed = kAssumedSpeed, task.coasts = false;
   if (ride != nullptr && ride->end == world::FailureKind::off_end && ride->samples.back().speed > 0) {
     task.speed = ride->samples.back().speed, task.coasts = true;

@@ -237,7 +237,8 @@ double excitement_of(const Ratings& r) {
   constexpr double kMostUp = 5, kJoltFelt = 1, kJoltWeight = 0.25, kOverloadWeight = 2;
   const double thrill = 3.4 * share(r.highest_drop, 25) + 1.2 * share(r.top_speed.value, 25) +
                         2.2 * share(r.airtime, 3) + 1.2 * share(r.near_misses, 3) + 1.6 * share(r.inversions, 2) +
-                        1.0 * share(r.drops, 5) + 1.0 * share(std::min(r.up_most.value, kMostUp) - 1, 2.5);
+                        1.0 * share(r.drops, 5) + 1.0 * share(std::min(r.up_most.value, kMostUp) - 1, 2.5) +
+                        1.2 * share(r.tunnels, 2) + 0.8 * share(r.close, 0.25);
   const double pain = kJoltWeight * std::max(0.0, r.jolt_most.value - kJoltFelt) + kOverloadWeight * r.overload;
   return std::min(10.0, thrill / (1 + pain));
 }
@@ -259,7 +260,8 @@ Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cu
   r.mean_speed = simulated.seconds() > 0 ? way / simulated.seconds() : 0.0;
   const auto g = [](const Extreme& extreme) { return base::limited_figure(extreme.value, "g"); };
   const double p = g(r.up_most), n = g(r.up_least), l = g(r.side_most), d = r.drops, h = r.highest_drop;
-  r.near_misses = marks.near_misses;
+  r.near_misses = marks.near_misses + marks.around.near_misses;
+  r.tunnels = marks.around.tunnels, r.in_tunnels = marks.around.in_tunnels, r.close = marks.around.close;
   for (const Overload& span : marks.overloads)
     r.overload += span.allowed > 0 ? std::max(0.0, span.worst / span.allowed - 1) : 1.0;
   r.excitement = excitement_of(r);
@@ -307,6 +309,9 @@ std::string report_text(const SimulatedRide& simulated, const Ratings& r, std::s
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
+  if (r.tunnels > 0) add(out, "  {:<22} {:8}, {:.0f} m in all\n", "tunnels", r.tunnels, r.in_tunnels);
+  if (r.close > 0)
+    add(out, "  {:<22} {:8.0f} % of the way near earth, water or trees\n", "surroundings", 100 * r.close);
   add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (docs/ride.md)\n", "excitement", r.excitement,
       r.intensity, r.nausea);
   add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());

@@ -8,6 +8,7 @@
 #include "sim/ride/simulated_ride.h"
 #include "sim/study/force_limits.h"
 #include "sim/study/riders.h"
+#include "sim/study/surroundings.h"
 
 namespace coaster::sim {
 
@@ -27,7 +28,10 @@ struct Ratings {
   int drops = 0;            // descents of kDrop or more
   double highest_drop = 0;  // m
   int inversions = 0;       // number of times that riders are turned upside down
-  int near_misses = 0;      // of track and supports
+  int near_misses = 0;      // of track and supports; on a land of earth, water and trees, too
+  int tunnels = 0;          // passed on the lap
+  double in_tunnels = 0;    // m of them
+  double close = 0;         // share of the lap near earth, water or trees (surroundings.h), 0..1; 0 without a land
   double overload = 0;      // sum of the overloads' excess over their limits, relative to the limits
   // 0 to 10: see excitement_of(). Intensity and nausea are OpenRCT2's published terms of g and drops, with real g.
   double excitement = 0, intensity = 0, nausea = 0;
@@ -35,13 +39,16 @@ struct Ratings {
 inline constexpr double kDrop = 3.0;  // m
 
 // Returns the excitement from the other members: rises with drops, speed, airtime, near misses, inversions and vertical
-// g, each by ever less, and falls with jolts and overloads. Weights and reasons: docs/ride.md.
+// g, each by ever less, and falls with jolts and overloads; on a land also with tunnels and what it passes closely.
+// Weights and reasons: docs/ride.md.
 double excitement_of(const Ratings& ratings);
 
-// Properties of a ride that its simulated ride does not contain: near misses and overloads.
+// Properties of a ride that its simulated ride does not contain: near misses of track and supports, overloads, and what
+// it passes on a land.
 struct RideIncidents {
   int near_misses = 0;
   std::span<const Overload> overloads = {};
+  Surroundings around = {};
 };
 
 // Returns the ratings of a simulated ride on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion

@@ -71,7 +71,7 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
       world::FlyCamera fly = fly_now(ui);
       fly.yaw_deg = std::remainder(fly.yaw_deg - kTurn * right.x, 360.0f);
       fly.pitch_deg = std::clamp(fly.pitch_deg - kTilt * right.y, -89.0f, 89.0f);
-      return ui.emit(edit::SetFlyCamera{flown(fly, kFly * glm::vec3(left.x, pull, -left.y))});
+      return ui.emit(edit::SetFlyCamera{flown(fly, kFly * glm::vec3(left.x, pull, -left.y), ui.find.ground())});
     }
     case world::CameraMode::chase:
       if (pull != 0) zoom_chase(ui, kNotches * pull);

@@ -75,7 +75,8 @@ bool list_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 view::View make_view(const UiState& state, const view::Viewport& scene) {
   if (state.rig) return view::view_of(state.rig->eye, scene, state.content_scale);
   view::CameraRig rig;
-  view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
+  const edit::Session& s = state.session;
+  view::follow(rig, {s.document, s.derived, s.motion, s.settings, true, &state.find.ground()}, 0);
   return view::view_of(rig.eye, scene, state.content_scale);
 }
 

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
+#include "sim/ground/ground.h"
 #include "sim/plan/element_plan.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
@@ -156,8 +157,10 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   read_query(ui, "Total length", "element.length", "Length including the lead-in from the open end.", {.decimals = 1});
   read_query(ui, "Fit error", "element.error", "Largest distance between the ideal curve and the spans.",
              {.decimals = 1, .unit = "mm", .factor = 1000});
-  if (plan.lowest < 0)
-    read_out(ui, "Below ground###In the ground", -plan.lowest, 1, "m", "Depth below the ground. That part is red.",
+  const sim::Land& land = ui.find.ground().land();
+  if (const double depth = sim::depth_of(plan, land); depth > 0)
+    read_out(ui, land.plain() ? "Below ground###In the ground" : "Under water###In the ground", depth, 1, "m",
+             land.plain() ? "Depth below the ground. That part is red." : "Depth of the water. That part is red.",
              true);
   if (const double missing = sim::worst(ui.find.room()); missing > 0)
     read_out(ui, "Missing clearance###Lacks room", missing, 1, "m",

@@ -204,6 +204,9 @@ void track_panel(Ui& ui) {
   size(ui);
   deviation(ui);
   conflicts(ui);
+  if (!ui.find.flooded().empty())
+    read_query(ui, "Under water", "flooded", "Stretches of track under water. Tunnels are dry.",
+               {.decimals = 0, .warns = true});
   bad_places(ui, ui.find.folds(), "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
              "Next fold", "Go to the next place where the rails fold.");
   bad_places(ui, ui.find.tight_bends(), "Tight bends", "tight_bends",

@@ -145,7 +145,7 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
     if (acts[i]) way += kRows[i].way;
   if (way == glm::vec3(0) || !(seconds > 0)) return;
   const float metres = kSpeed * (fast_ ? kFaster : 1) * static_cast<float>(std::min(seconds, kLongestFrame));
-  const world::FlyCamera now = fly_now(ui), to = flown(now, metres * glm::normalize(way));
+  const world::FlyCamera now = fly_now(ui), to = flown(now, metres * glm::normalize(way), ui.find.ground());
   if (to != now) ui.emit(edit::SetFlyCamera{to});
 }
 
@@ -162,13 +162,13 @@ world::FlyCamera fly_now(const Ui& ui) {
   return camera;
 }
 
-world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by) {
+world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by, const sim::Ground& ground) {
   const float yaw = glm::radians(fly.yaw_deg), pitch = glm::radians(fly.pitch_deg);
   const glm::vec3 right(std::cos(yaw), 0, -std::sin(yaw)),
       ahead(-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
-  const glm::vec3 low(-world::kMaxCoordinate, world::kLowestFlight, -world::kMaxCoordinate),
-      high(world::kMaxCoordinate);
-  fly.eye = glm::clamp(fly.eye + by.x * right + by.z * ahead + glm::vec3(0, by.y, 0), low, high);
+  const glm::vec3 most(world::kMaxCoordinate);
+  fly.eye = glm::clamp(fly.eye + by.x * right + by.z * ahead + glm::vec3(0, by.y, 0), -most, most);
+  fly.eye = view::above_ground(fly.eye, &ground);
   return fly;
 }
 
@@ -181,7 +181,7 @@ world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale) {
 
 void choose_camera(Ui& ui, world::CameraMode mode) {
   if (mode == world::CameraMode::fly && ui.session().settings.camera_mode != mode)
-    ui.emit(edit::SetFlyCamera{view::fly_from(ui.out.view)});
+    ui.emit(edit::SetFlyCamera{view::fly_from(ui.out.view, &ui.find.ground())});
   ui.emit(edit::Set<&world::Settings::camera_mode>{mode});
 }
 

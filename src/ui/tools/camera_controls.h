@@ -34,7 +34,7 @@ world::FlyCamera fly_now(const Ui& ui);
 
 // Returns the camera moved by `by` (right, up, forward; m) in its own axes, except that up is the world's. It stays
 // above the ground and within the coordinate limits.
-world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by);
+world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by, const sim::Ground& ground);
 // Returns the camera turned by a drag of `pixels`, to the right and down with the mouse.
 world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale);
 

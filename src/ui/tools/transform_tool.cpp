@@ -14,6 +14,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
+#include "sim/ground/land.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/theme.h"
 #include "view/pick.h"
@@ -127,12 +128,15 @@ dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 st
       }
       break;
     }
-    case world::SnapTo::ground:
+    case world::SnapTo::ground: {
+      const sim::Land land(scene.document.park);
+      const view::Ray ray = view::ray_through(scene.view, scene.cursor);
       if (constraint.kind == Constraint::Kind::free)
-        if (const auto hit = view::meet_plane(view::ray_through(scene.view, scene.cursor), glm::vec3(0), {0, 1, 0}))
+        if (const auto hit = land.plain() ? view::meet_plane(ray, glm::vec3(0), {0, 1, 0}) : view::meet_land(ray, land))
           wanted = dvec3(*hit);
-      wanted.y = 0;
+      wanted.y = land.surface(wanted.x, wanted.z);
       break;
+    }
   }
   for (int i = 0; i < 3; ++i)
     if (!constraint.allows(i)) wanted[i] = start[i];

@@ -31,7 +31,8 @@ std::optional<glm::dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec
 double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis);
 
 // Returns the snapped `position` (m). Components that the constraint excludes keep the value of `start`. `knots` snaps
-// to the nearest unselected knot within 12 points of the cursor, `ground` to where the ray meets it.
+// to the nearest unselected knot within 12 points of the cursor, `ground` to where the ray meets it: the land as people
+// left it, without the cut that the track itself makes.
 struct SnapScene {
   const world::Document& document;
   const world::Settings& settings;

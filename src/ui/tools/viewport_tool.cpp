@@ -14,6 +14,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
+#include "sim/ground/land.h"
 #include "sim/plan/element_shapes.h"
 #include "ui/tools/camera_controls.h"
 #include "ui/tools/selecting.h"
@@ -27,23 +28,37 @@
 
 namespace coaster::ui {
 
+namespace {
+
+// Returns the place on the ray that is `standing` m above land or water.
+std::optional<glm::vec3> on_land(const view::Ray& ray, const sim::Land& land, float standing) {
+  auto at = view::meet_land(ray, land, double{standing});
+  if (at) at->y = static_cast<float>(land.standing(double{at->x}, double{at->z}, double{standing}));
+  return at;
+}
+
+}  // namespace
+
 std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel) {
   const auto standing = static_cast<float>(sim::TrackEnd{}.position.y);
   const view::Ray ray = view::ray_through(view, pixel);
   const world::Track& track = document.track;
+  const sim::Land land(document.park);
+  if (view.parallel <= 0 && !land.plain()) return on_land(ray, land, standing);
   if (view.parallel <= 0) {
     const auto ground = view::meet_plane(ray, glm::vec3(0), {0, 1, 0});
     const auto at = ray.origin.y > standing ? view::meet_plane(ray, {0, standing, 0}, {0, 1, 0}) : ground;
     return ground && at ? std::optional(glm::vec3(at->x, standing, at->z)) : std::nullopt;
   }
+  const auto first = static_cast<float>(land.standing(0, 0, double{standing}));
   const glm::vec3 normal = view::line_of_sight(view), last = track.knots.empty()
-                                                                 ? glm::vec3(0, standing, 0)
+                                                                 ? glm::vec3(0, first, 0)
                                                                  : world::knot(document, track.knots.back()).position;
   auto at = view::meet_plane(ray, last, normal);
   if (!at) return at;
   for (int i = 0; i < 3; ++i)
     if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // exactly
-  at->y = std::max(at->y, standing);
+  if (land.plain()) at->y = std::max(at->y, standing);
   return at;
 }
 
@@ -415,7 +430,9 @@ void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
     case world::CameraMode::orbit:
       ui.emit(edit::set_camera(zoomed(settings.camera, view, mouse_position(), notches)));
       break;
-    case world::CameraMode::fly: ui.emit(edit::SetFlyCamera{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::fly:
+      ui.emit(edit::SetFlyCamera{flown(fly_now(ui), {0, 0, kMetres * notches}, ui.find.ground())});
+      break;
     case world::CameraMode::chase: zoom_chase(ui, notches); break;
     case world::CameraMode::ride: break;
   }

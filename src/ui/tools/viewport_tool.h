@@ -72,8 +72,9 @@ class ViewportTool {
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 
-// Returns the position of a new knot under a pixel, m, at the default height of new tracks. In an orthographic view: in
-// its plane through the last knot, at least at that height. Nothing if the pixel shows no ground.
+// Returns the position of a new knot under a pixel, m, at the default height of new tracks above the ground, or above
+// the land as people left it or its water. In an orthographic view: in its plane through the last knot, without a land
+// at least at that height. Nothing if the pixel shows no ground.
 std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel);
 
 }  // namespace coaster::ui

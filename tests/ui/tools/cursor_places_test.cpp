@@ -7,6 +7,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
+#include "sim/lands.h"
 #include "ui/stage.h"
 #include "view/gizmo.h"
 #include "world/aid_settings.h"
@@ -48,6 +49,38 @@ TEST_F(CursorPlacesTest, knots_stand_above_the_ground_in_every_view) {
   set_projection(world::Projection::top);
   EXPECT_EQ(append_place(session_.document, host_->view(), low)->y, last.y);
   EXPECT_EQ(append_place({}, host_->view(), low)->y, 2) << "the first knot";
+}
+
+TEST_F(CursorPlacesTest, on_a_land_knots_stand_above_it_under_the_cursor_and_snap_to_it) {
+  test::shape_land(session_.document, [](double x, double z) { return -9 + 5 * std::sin(x / 14) - 0.05 * z; });
+  const sim::Land land(session_.document.park);
+  frames(2);
+  const view::View& v = host_->view();
+  int places = 0;
+  for (float down = 0.55f; down < 0.95f; down += 0.1f)
+    for (float across = 0.2f; across < 0.9f; across += 0.15f) {
+      const glm::vec2 pixel(v.viewport.x + across * v.viewport.width, v.viewport.y + down * v.viewport.height);
+      const auto at = append_place(session_.document, v, pixel);
+      if (!at) continue;
+      ++places;
+      EXPECT_NEAR(at->y, land.surface(double{at->x}, double{at->z}) + 2, 1.0 / 32);
+      const auto seen = view::project(v, *at);
+      ASSERT_TRUE(seen);
+      EXPECT_LT(glm::distance(glm::vec2(*seen), pixel), 2.0f);
+      const glm::dvec3 to =
+          snapped({session_.document, session_.settings, v, pixel}, world::SnapTo::ground, {0, 50, 0}, {0, 50, 0}, {});
+      EXPECT_NEAR(to.y, land.surface(to.x, to.z), 1e-6);
+      const auto below = view::project(v, glm::vec3(to));
+      ASSERT_TRUE(below);
+      EXPECT_LT(glm::distance(glm::vec2(*below), pixel), 2.0f);
+    }
+  EXPECT_GT(places, 15);
+  EXPECT_FALSE(append_place(session_.document, v, {v.viewport.x + 5, v.viewport.y + 2})) << "the sky";
+  // A lake: knots stand above the water.
+  session_.document.park.water = -3;
+  const auto wet = append_place(session_.document, v, empty_ground());
+  ASSERT_TRUE(wet);
+  EXPECT_GE(wet->y, -1);
 }
 
 TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_drag_moves_the_knots) {
