@@ -33,10 +33,11 @@ class TouchedTiles {
  public:
   explicit TouchedTiles(const Land& land) : land_(land) {}
 
-  void set_height(GroundVertex at, double height) {
+  // `before`: the vertex's height.
+  void set_height(GroundVertex at, double before, double height) {
     const double steps =
         std::floor(std::clamp(height, -world::kHighestGround, world::kHighestGround) / world::kHeightStep + 0.5);
-    if (std::fabs(steps * world::kHeightStep - land_.vertex(at)) < 0.5 * world::kHeightStep) return;
+    if (std::fabs(steps * world::kHeightStep - before) < 0.5 * world::kHeightStep) return;
     const int x = tile_index(at.x, kCells), z = tile_index(at.z, kCells);
     tile(x, z).heights[static_cast<std::size_t>((at.z - z * kCells) * kCells + at.x - x * kCells)] =
         static_cast<std::int16_t>(steps);
@@ -93,8 +94,10 @@ void each_vertex(glm::dvec2 a, glm::dvec2 b, double radius, auto visit) {
 
 world::GroundTiles raised(const Land& land, Brush brush, double by) {
   TouchedTiles touched(land);
-  each_vertex(brush.at, brush.at, brush.radius,
-              [&](GroundVertex at, double share, double) { touched.set_height(at, land.vertex(at) + share * by); });
+  each_vertex(brush.at, brush.at, brush.radius, [&](GroundVertex at, double share, double) {
+    const double before = land.vertex(at);
+    touched.set_height(at, before, before + share * by);
+  });
   return touched.finish();
 }
 
@@ -118,7 +121,8 @@ world::GroundTiles smoothed(const Land& land, Brush brush) {
     for (int z = at.z - wide; z <= at.z + wide; ++z)
       for (int x = at.x - wide; x <= at.x + wide; ++x) sum += height(x, z);
     const double mean = sum / ((2 * wide + 1) * (2 * wide + 1));
-    touched.set_height(at, mixed(height(at.x, at.z), mean, share));
+    const double before = height(at.x, at.z);
+    touched.set_height(at, before, mixed(before, mean, share));
   });
   return touched.finish();
 }
@@ -126,7 +130,8 @@ world::GroundTiles smoothed(const Land& land, Brush brush) {
 world::GroundTiles flattened(const Land& land, Brush brush, double to) {
   TouchedTiles touched(land);
   each_vertex(brush.at, brush.at, brush.radius, [&](GroundVertex at, double share, double) {
-    touched.set_height(at, mixed(land.vertex(at), to, share));
+    const double before = land.vertex(at);
+    touched.set_height(at, before, mixed(before, to, share));
   });
   return touched.finish();
 }
@@ -135,7 +140,8 @@ world::GroundTiles sloped(const Land& land, glm::dvec2 from, glm::dvec2 to, doub
   const double first = land.height(from.x, from.y), last = land.height(to.x, to.y);
   TouchedTiles touched(land);
   each_vertex(from, to, radius, [&](GroundVertex at, double share, double way) {
-    touched.set_height(at, mixed(land.vertex(at), mixed(first, last, way), share));
+    const double before = land.vertex(at);
+    touched.set_height(at, before, mixed(before, mixed(first, last, way), share));
   });
   return touched.finish();
 }

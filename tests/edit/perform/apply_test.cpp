@@ -364,7 +364,7 @@ TEST_F(Applying, a_command_derives_the_track_at_most_once) {
       derived += session.evaluated.rebuilds > 0;
     }
   }
-  EXPECT_GT(derived, test::tries(200));
+  EXPECT_GT(derived, test::tries(180));
 }
 
 // Whole sessions of any commands, files excepted, with the ride going on: nothing breaks, and the same
