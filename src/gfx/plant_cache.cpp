@@ -17,8 +17,6 @@ void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, 
   gl.VertexAttribDivisor(location, divisor);
 }
 
-std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f))); }
-
 }  // namespace
 
 PlantCache::PlantCache(const Gl& gl) : gl_(&gl), vertices_(gl), indices_(gl), instances_(gl) {}

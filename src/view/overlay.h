@@ -45,18 +45,18 @@ struct Overlay {
 
 // Findings about the track and its ride that are marked on it.
 struct MarkedFindings {
-  std::span<const sim::FrenetBreak> breaks;         // read for Layer::flips
-  std::span<const sim::Overload> spans;             // read for Layer::limits
-  std::span<const sim::Jolt> jolts;                 // of the track's knots; read for Layer::limits
-  std::span<const sim::Conflict> conflicts;         // read for Layer::conflicts
-  std::span<const sim::Fold> folds;                 // read for Layer::conflicts
-  std::span<const sim::FloodedTrack> flooded = {};  // read for Layer::conflicts
-  world::RideFailure failure;                       // of the ride; kind none: no failure
-  const sim::ElementPlan* element = nullptr;        // the palette's element at its preview position; null: not shown
-  std::span<const sim::LineConflict> narrow;        // parts of it without clearance
+  std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
+  std::span<const sim::Overload> spans;       // read for Layer::limits
+  std::span<const sim::Jolt> jolts;           // of the track's knots; read for Layer::limits
+  std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
+  std::span<const sim::Fold> folds;           // read for Layer::conflicts
+  world::RideFailure failure;                 // of the ride; kind none: no failure
+  const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
+  std::span<const sim::LineConflict> narrow;  // parts of it without clearance
   bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
-  std::span<const sim::Fold> tight_bends;  // read for Layer::conflicts
-  const sim::Ground* ground = nullptr;     // under the element; null: the plane y = 0
+  std::span<const sim::Fold> tight_bends;           // read for Layer::conflicts
+  const sim::Ground* ground = nullptr;              // under the element; null: the plane y = 0
+  std::span<const sim::FloodedTrack> flooded = {};  // read for Layer::conflicts
 };
 
 // Returns knots, handles of the selection, the control polygon of the selected segment (or of the segments at the

@@ -9,8 +9,6 @@
 namespace coaster::gfx {
 namespace {
 
-std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f))); }
-
 LandVertex vertex_of(const sim::EarthVertex& from) {
   LandVertex vertex;
   vertex.position = from.position;

@@ -21,8 +21,6 @@ constexpr double kEarthReach = 5;                               // m
 constexpr float kCrownReach = 7;                                // m
 constexpr std::uint32_t kEarthNoise = 34;
 
-std::uint8_t byte_of(float part) { return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f))); }
-
 std::uint64_t mixed_key(std::uint64_t key, std::uint64_t value) {
   key = (key ^ value) * 0x9e3779b97f4a7c15u;
   return key ^ (key >> 29);

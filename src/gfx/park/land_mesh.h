@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,11 @@
 #include "sim/ground/plants.h"
 
 namespace coaster::gfx {
+
+// Returns a number of 0..1 in 1/255.
+inline std::uint8_t byte_of(float part) {
+  return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f)));
+}
 
 struct LandVertex {
   glm::vec3 position{0};                // m

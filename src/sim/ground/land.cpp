@@ -41,7 +41,7 @@ constexpr std::array<Relief, base::count_of<world::Land>()> kReliefs{{
 }};
 
 // A level unit vector by a number of the seed, without functions of libm.
-glm::dvec2 direction_of(std::uint32_t seed, std::int32_t which) {
+glm::dvec2 seed_direction(std::uint32_t seed, std::int32_t which) {
   const double x = 2 * random_at(which, 0, seed + kPlaces) - 1, z = 2 * random_at(which, 1, seed + kPlaces) - 1;
   const double length = std::sqrt(x * x + z * z);
   return length > 0.1 ? glm::dvec2(x / length, z / length) : glm::dvec2(0.6, 0.8);
@@ -90,7 +90,7 @@ class SeededLand {
 
   // Distance (m) from the river's middle, across the valley; the station is on one bank.
   double beside_river() const {
-    const glm::dvec2 along = direction_of(park_.seed, 0);
+    const glm::dvec2 along = seed_direction(park_.seed, 0);
     const double across = z_ * along.x - x_ * along.y - 60, down = x_ * along.x + z_ * along.y;
     return across + 34 * noise(down / 120, 0.5, park_.seed + kShore);
   }
@@ -110,7 +110,7 @@ class SeededLand {
       case world::Land::snow: break;
     }
     constexpr double kLake = 115, kAway = 122;  // m, its radius and how far it is from the origin
-    const glm::dvec2 middle = kAway * direction_of(seed, 1);
+    const glm::dvec2 middle = kAway * seed_direction(seed, 1);
     const double dx = x_ - middle.x, dz = z_ - middle.y;
     const double l = std::sqrt(dx * dx + 1.6 * dz * dz) + 16 * octaves(3, x_ / 40, z_ / 40, seed + kShore);
     return mixed(h, -6, 1 - smooth_step(kLake / 4, kLake, l));

@@ -20,7 +20,7 @@ constexpr Flora kFloras[] = {
     {0, 0, 0},        {0.8, -0.5, 0.01}, {1, 0, 0.02},     {1, 0.15, 0.02},
     {0.9, 0.1, 0.05}, {0.9, -0.6, 0.02}, {0.25, -1, 0.06}, {1, 1, 0.02}};
 
-constexpr double kGrid = 5;         // m, side of a cell that holds at most one plant
+constexpr double kPlantCell = 5;    // m, side of a cell that holds at most one plant
 constexpr double kTrackReach = 44;  // m
 
 struct Spot {
@@ -90,8 +90,8 @@ class Planter {
 
   std::vector<Plant> plants() const {
     std::vector<Plant> plants;
-    for (int z = static_cast<int>(std::floor(corner_.y / kGrid)); z * kGrid < corner_.y + kTile; ++z)
-      for (int x = static_cast<int>(std::floor(corner_.x / kGrid)); x * kGrid < corner_.x + kTile; ++x)
+    for (int z = static_cast<int>(std::floor(corner_.y / kPlantCell)); z * kPlantCell < corner_.y + kTile; ++z)
+      for (int x = static_cast<int>(std::floor(corner_.x / kPlantCell)); x * kPlantCell < corner_.x + kTile; ++x)
         if (const auto plant = plant_in(x, z)) plants.push_back(*plant);
     return plants;
   }
@@ -101,7 +101,7 @@ class Planter {
 
   std::optional<Plant> plant_in(int x, int z) const {
     const auto chance = [&](std::uint32_t which) { return random_at(x, z, park_.seed + kPlace + which); };
-    const double px = (x + 0.15 + 0.7 * chance(0)) * kGrid, pz = (z + 0.15 + 0.7 * chance(1)) * kGrid;
+    const double px = (x + 0.15 + 0.7 * chance(0)) * kPlantCell, pz = (z + 0.15 + 0.7 * chance(1)) * kPlantCell;
     // A plant belongs to the patch it stands on.
     if (px < corner_.x || px >= corner_.x + kTile || pz < corner_.y || pz >= corner_.y + kTile) return std::nullopt;
     const double wooded = density(ground_, px, pz), keep = chance(2);

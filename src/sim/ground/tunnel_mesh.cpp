@@ -10,12 +10,12 @@
 namespace coaster::sim {
 namespace {
 
-constexpr int kSides = 14;                         // of a tube
+constexpr int kTubeSides = 14;                         // of a tube
 constexpr float kReveal = 2.0f;                    // m, depth of a portal's opening
 constexpr double kWallSide = 2.8, kWallTop = 2.6;  // m of wall beside and over the tube
 constexpr glm::vec3 kLining[] = {{0.30f, 0.28f, 0.25f}, {0.24f, 0.225f, 0.20f}};
 constexpr glm::vec3 kEarth{0.30f, 0.23f, 0.15f};
-constexpr float kPi = 3.14159265f;
+constexpr float kHalfTurn = 3.14159265f;
 
 // Stone of walls and trim by land.
 struct Stone {
@@ -47,9 +47,9 @@ class TunnelBuilder {
       const auto from_end = static_cast<float>(std::min(i, rings - 2 - i));
       const float light = std::max(0.42f - 0.05f * from_end, 0.06f);
       const glm::vec3 paint = kLining[i / 2 % 2];
-      for (int side = 0; side < kSides; ++side) {
-        const float from = 2 * kPi * static_cast<float>(side) / kSides,
-                    to = 2 * kPi * static_cast<float>(side + 1) / kSides;
+      for (int side = 0; side < kTubeSides; ++side) {
+        const float from = 2 * kHalfTurn * static_cast<float>(side) / kTubeSides,
+                    to = 2 * kHalfTurn * static_cast<float>(side + 1) / kTubeSides;
         const std::array<glm::vec3, 4> corners{on_ring(a, from), on_ring(a, to), on_ring(b, to), on_ring(b, from)};
         const glm::vec3 middle = 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]);
         quad(corners, glm::normalize(axis(a) - middle), paint, {light, light, light, light});

@@ -35,11 +35,11 @@ double energy_of_laps(const RideInput& input) {
   return world::kGravity * (top - input.document.datum) + 0.5 * slowest * slowest;
 }
 
-constexpr std::size_t kBlock = 64;  // trains whose data stay in the first-level cache
+constexpr std::size_t kLapBlock = 64;  // trains whose data stay in the first-level cache
 
 // What trains on a table accumulate tick by tick, member by member.
 struct TrainTotals {
-  std::array<double, kBlock> travelled, furthest, peak_kinetic;
+  std::array<double, kLapBlock> travelled, furthest, peak_kinetic;
 };
 
 void add_tick(std::size_t count, double length, const double* __restrict before_along,
@@ -52,13 +52,13 @@ void add_tick(std::size_t count, double length, const double* __restrict before_
   }
 }
 
-// Runs all ticks of at most kBlock trains on one table. `on` is kept for its capacity.
+// Runs all ticks of at most kLapBlock trains on one table. `on` is kept for its capacity.
 void follow_block(const RideInput& input, const LapTable& table, std::span<const std::size_t> trains, int ticks,
                   std::vector<world::TrainMotion>& carts, LapTrains& on) {
   const std::size_t count = trains.size();
   const double length = table.length();
   TrainTotals accounts;
-  std::array<double, kBlock> before_along, before_laps, rounds;
+  std::array<double, kLapBlock> before_along, before_laps, rounds;
   for (std::vector<double>* column : {&on.phase, &on.along, &on.speed, &on.laps}) column->clear();
   for (std::size_t i = 0; i < count; ++i) {
     const world::TrainMotion& cart = carts[trains[i]];
@@ -164,7 +164,7 @@ void follow_laps(const RideInput& input, std::span<const LapTable* const> table_
   LapTrains on;
   for (std::size_t from = 0, to = 0; from < trains.size(); from = to) {
     const LapTable& table = *table_of[trains[from]];
-    while (to < trains.size() && to - from < kBlock && table_of[trains[to]] == &table) ++to;
+    while (to < trains.size() && to - from < kLapBlock && table_of[trains[to]] == &table) ++to;
     follow_block(input, table, trains.subspan(from, to - from), ticks, carts, on);
   }
 }

@@ -18,7 +18,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 // Offsets from the middle of the rails and sizes, m.
-constexpr double kShortest = 6, kEdge = 3.4, kEave = 4.3, kPitch = 1.3, kThick = 0.16, kColumns = 4.8;
+constexpr double kShortestStation = 6, kEdge = 3.4, kEave = 4.3, kPitch = 1.3, kThick = 0.16, kColumns = 4.8;
 constexpr double kLanes = 4, kLane = 1.3, kPlaza = 13, kPath = 3.2;
 
 // Capital letters, digits and marks as 5 x 7 dots: a row each from the top, the highest of 5 bits on the left.
@@ -63,7 +63,7 @@ class StationBuilder {
   }
 
   bool fits() const {
-    return length_ >= kShortest && std::ranges::all_of(rings_, [](const Ring& ring) {
+    return length_ >= kShortestStation && std::ranges::all_of(rings_, [](const Ring& ring) {
              return std::abs(ring.frame.forward.y) <= 0.35 && ring.frame.up.y >= 0.9;
            });
   }

@@ -16,7 +16,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kStep = 2;  // m of the ride between two looks
+constexpr double kGroundStep = 2;  // m of the ride between two looks
 
 // The directions in which earth is looked for, as cosine and sine over the horizon: from one side over the top to the
 // other, in steps of 22.5 degrees.
@@ -76,7 +76,7 @@ Surroundings surroundings_of(const SimulatedRide& simulated, const DerivedTrack&
     const RideSample& sample = simulated.samples[i];
     if (sample.travelled < next) continue;
     if (simulated.closed && sample.travelled > derived.length) break;
-    next = sample.travelled + kStep;
+    next = sample.travelled + kGroundStep;
     const HeadOnLand here = head_at(derived, ground, simulated.distance(i));
     const double tree = here.tunnel == nullptr ? plants.distance(here.head, kCloseBy) : kCloseBy;
     const bool portal = looks > 0 && here.tunnel != before;
@@ -88,7 +88,7 @@ Surroundings surroundings_of(const SimulatedRide& simulated, const DerivedTrack&
     if (sample.travelled - last_miss > kMissApart) ++around.near_misses;
     last_miss = sample.travelled;
   }
-  around.tunnels = static_cast<int>(passed.size()), around.in_tunnels = kStep * inside;
+  around.tunnels = static_cast<int>(passed.size()), around.in_tunnels = kGroundStep * inside;
   around.close = looks > 0 ? static_cast<double>(close) / looks : 0.0;
   return around;
 }
