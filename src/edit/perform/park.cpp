@@ -47,6 +47,7 @@ Status stroke(Session& session, Change& change, std::initializer_list<glm::vec2>
 }  // namespace
 
 Status perform(Session& session, Change& change, const SetLand& command) {
+  if (session.game.challenge) return refused("the land of a challenge stays as it is");
   world::Document& document = session.document;
   if (!document.park.tiles.empty()) change.note = "The strokes of brushes went with the former land.";
   document.park = world::usual_park(command.to, document.park.seed);

@@ -47,6 +47,13 @@ TEST_F(ParkCommands, numbers_are_clamped_with_a_warning) {
   EXPECT_EQ(print(command("park.water -1.5")), "park.water -1.5");
 }
 
+// Ratings that a challenge asks for grow with tunnels.
+TEST_F(ParkCommands, the_land_of_a_challenge_stays_as_it_is) {
+  session.game.challenge.emplace();
+  refused("park hills", "the land of a challenge stays as it is");
+  EXPECT_TRUE(park().plain());
+}
+
 TEST_F(ParkCommands, strokes_need_a_land_and_a_place_in_it) {
   for (const char* const line :
        {"park.seed 3", "park.relief 2", "park.woods 1", "park.water 0", "park.reset", "ground.smooth at 0 0 radius 20",
