@@ -70,8 +70,8 @@ float fog(float metres, float eye_height) {
   return 1.0 - exp(-depth * sqrt(depth));
 }
 
-// The same in a park, by vertex: returns the light of the air before a place, times its share (w). Distances count less,
-// so that hills and trees behind the track stay clear.
+// The same in a park, by vertex: returns the light of the air before a place, times its share (w). Distances count
+// less, so that hills and trees behind the track stay clear.
 vec4 air_before(vec3 place, vec3 from) {
   vec3 sight = place - from;
   float metres = length(sight), much = 0.96 * fog(0.72 * metres, from.y);
