@@ -1,6 +1,5 @@
 // The land: grain, shadows of track and trains, tone. With BLUEPRINT contour lines.
 uniform sampler2D grain;                     // r: coarse, g: fine
-uniform sampler2D track_cover, train_cover;  // r: coverage of a texel, g: times the height of the caster
 uniform int track_taps, train_taps;          // 1 where the map may shade this patch, else 0: skips a loop
 uniform vec2 cast_heights;                   // m, the lowest that a map distinguishes, and its range
 in vec3 shaded, sunny, before;

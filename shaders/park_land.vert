@@ -7,7 +7,6 @@ layout(location = 3) in vec2 baked;  // of the sun, and half of lamps
 uniform mat4 view_projection;
 uniform vec3 eye;
 uniform float water;                    // m
-uniform mat4 track_light, train_light;  // world to 0..1 in the shadow maps
 out vec3 shaded;   // light without the sun, behind the air
 out vec3 sunny;    // what the sun adds where it meets the land at a right angle
 out vec3 before;   // light of the air

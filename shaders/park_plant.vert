@@ -10,9 +10,6 @@ uniform mat4 view_projection;
 out vec3 world;
 #else
 uniform vec3 eye;
-uniform mat4 track_light;
-uniform highp sampler2DShadow track_depth;
-uniform int taps;    // 1 where the map may shade plants, else 0
 uniform float snow;  // 0..1, on what faces up
 out vec3 light;      // with the air before it
 #endif
@@ -29,7 +26,7 @@ void main() {
   own *= 0.92 * mix(vec3(0.72, 0.86, 0.75), vec3(1.45, 1.18, 0.95), look.x);
   own = mix(own, vec3(0.74, 0.78, 0.84), snow * smoothstep(0.05, 0.6, up.y) * smoothstep(0.3, 0.9, paint.a));
   float reach = look.y;
-  for (int i = 0; i < taps; ++i) {
+  for (int i = 0; i < taps; ++i) {  // once where the map may shade plants, else never
     vec3 there = (track_light * vec4(at + 1.2 * up + air.sun.xyz, 1.0)).xyz;
     vec2 edge = 0.5 - abs(there.xy - 0.5);
     reach *= min(edge.x, edge.y) > 0.0 ? textureLod(track_depth, vec3(there.xy, min(there.z, 1.0)), 0.0) : 1.0;

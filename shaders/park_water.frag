@@ -1,15 +1,13 @@
 // Water: waves, the sky mirrored by angle, glints, foam at shores, soft shadows. Blended over the land below it.
 uniform vec3 eye;
 uniform sampler2D grain;
-uniform sampler2D track_cover, train_cover;
-uniform vec2 track_texel, train_texel;  // a texel's side in metres, and as a fraction of the map
 uniform int track_taps, train_taps;
 uniform float clock;  // s
 uniform float waves;  // 1; 0: flat
 in vec3 world, horizon;
 in float depth;
 in vec4 before;
-in vec2 reached;
+in vec2 baked_light;
 in vec2 track_at, train_at;
 out vec4 colour;
 
@@ -34,7 +32,7 @@ void main() {
   vec3 normal = normalize(vec3(0.20 * swell.x * calm, 1.0, 0.20 * swell.y * calm));
   vec3 mirror = reflect(-to_eye, normal);
   vec2 ripple = 0.7 * swell;  // m by which waves displace shadows
-  float sun = reached.x;
+  float sun = baked_light.x;
   for (int i = 0; i < track_taps; ++i)
     sun *= 1.0 - 0.85 * cover(track_cover, track_at + ripple * track_texel.y / track_texel.x);
   for (int i = 0; i < train_taps; ++i)
@@ -49,7 +47,7 @@ void main() {
               (air.sky_light.rgb + air.sun_light.rgb * air.sun.y * (0.45 + 0.55 * sun));
   body *= 1.0 + 0.16 * (swell.x + swell.y);
   vec3 light = mix(body, seen, fresnel);
-  light += 0.5 * reached.y * vec3(1.0, 0.62, 0.30) * (0.06 + 0.3 * fresnel);
+  light += 0.5 * baked_light.y * vec3(1.0, 0.62, 0.30) * (0.06 + 0.3 * fresnel);
   float glint = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0), glint_2 = glint * glint;
   light += sunlight * 2.2 * to_90(glint) * glint_2 * glint_2 * glint_2 * glint_2;
   float foam = 0.40 * waves * (1.0 - smoothstep(0.0, 0.20, depth + 0.22 * swell.x));

@@ -4,12 +4,11 @@ layout(location = 3) in vec2 baked;  // of the sun, and half of lamps
 uniform mat4 view_projection;
 uniform vec3 eye;
 uniform float water;  // m
-uniform mat4 track_light, train_light;
 out vec3 world;
 out float depth;       // m
 out vec4 before;       // air, and its share
 out vec3 horizon;      // distant air where the mirrored ray goes
-out vec2 reached;      // sun, lamps
+out vec2 baked_light;  // sun, lamps
 out vec2 track_at, train_at;  // in the shadow maps
 
 void main() {
@@ -19,7 +18,7 @@ void main() {
   before = air_before(world, eye);
   vec3 sight = world - eye;
   horizon = far_air(normalize(vec3(sight.x, 0.0, sight.z) + vec3(1e-4, 0.0, 0.0)));
-  reached = baked;
+  baked_light = baked;
   track_at = (track_light * vec4(world, 1.0)).xy;
   train_at = (train_light * vec4(world, 1.0)).xy;
 }

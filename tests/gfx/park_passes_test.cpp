@@ -57,8 +57,9 @@ class Park : public test::Studio {
 // By rays: land and sky are told apart by colour, where the air leaves any.
 TEST_F(Park, shows_land_where_a_ray_meets_it) {
   scenery_ = world::Scenery::plain, shadows_ = false;
+  width_ = 96, height_ = 54;
   int land = 0, sky = 0, wrong = 0;
-  for (const double turn : {0.0, 1.3, 2.6, 3.9, 5.2}) {
+  for (const double turn : {0.0, 2.1, 4.2}) {
     const double x = 60 * std::sin(turn), z = 60 * std::cos(turn);
     eye_ = view::Eye{.position = {x, ground_.surface(x, z) + 9, z},
                      .forward = glm::normalize(glm::dvec3(std::sin(turn + 0.4), 0.05, std::cos(turn + 0.4)))};
@@ -69,7 +70,7 @@ TEST_F(Park, shows_land_where_a_ray_meets_it) {
         const glm::vec2 pixel(static_cast<float>(x_pixel) + 0.5f, static_cast<float>(y) + 0.5f);
         const auto meets = [&](glm::vec2 at) {
           const view::Ray ray = view::ray_through(view, at);
-          return ground_.meet(glm::dvec3(ray.origin), glm::dvec3(ray.direction), 9000);
+          return ground_.meet(glm::dvec3(ray.origin), glm::dvec3(ray.direction), 2000);
         };
         const auto met = meets(pixel);
         // The horizon itself, and what is in the mist, are left out.
@@ -87,8 +88,8 @@ TEST_F(Park, shows_land_where_a_ray_meets_it) {
       }
     }
   }
-  EXPECT_GT(land, 5'000);
-  EXPECT_GT(sky, 2'000);
+  EXPECT_GT(land, 1'000);
+  EXPECT_GT(sky, 600);
   EXPECT_LT(wrong, (land + sky) / 50) << "track and trains, which are red, and their supports";
 }
 
@@ -140,6 +141,7 @@ TEST_F(Park, counts_unseen_frames_as_seen_ones) {
 }
 
 TEST_F(Park, has_every_land_in_every_style_and_scenery) {
+  width_ = 64, height_ = 36;
   std::vector<Image> all;
   for (std::size_t land = 1; land < base::count_of<world::Land>(); ++land) {
     settle(static_cast<world::Land>(land));
@@ -151,8 +153,7 @@ TEST_F(Park, has_every_land_in_every_style_and_scenery) {
     }
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (i / 2 != j / 2) EXPECT_NE(all[i].rgba, all[j].rgba) << i << " " << j;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_TRUE(i / 2 == j / 2 || all[i].rgba != all[j].rgba) << i << " " << j;
 }
 
 TEST_F(Park, has_water_with_waves_that_only_its_clock_moves) {

@@ -55,8 +55,10 @@ TEST(shaders, all_compile_for_the_desktop_and_for_webgl_2) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
     for (const std::string& header : {es, gl->es ? es : desktop})
-      for (const char* defines : {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n",
-                                  "#define OUTLINE\n", "#define OUTLINE\n#define CARTS\n", "#define MEASURE\n"}) {
+      for (const char* defines :
+           {"", "#define CARTS\n", "#define SHADOW\n", "#define CARTS\n#define SHADOW\n", "#define OUTLINE\n",
+            "#define OUTLINE\n#define CARTS\n", "#define MEASURE\n", "#define PARK\n", "#define PARK\n#define SHADOW\n",
+            "#define BEHIND\n#define HALO\n", "#define NO_GRID\n", "#define BLUEPRINT\n", "#define STREAK\n"}) {
         const std::string text = header + defines + common + source(entry.path());
         EXPECT_EQ(complaint(*gl, extension == ".vert" ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER, text), "")
             << entry.path().filename() << " with " << defines << header;

@@ -54,9 +54,13 @@ FarLand far_land(const sim::Ground& ground, const LandField& field) {
     const int along = ring == 0 ? first_side : kAroundSide;
     for (int i = 0; i < 4 * along; ++i) {
       const glm::vec2 way = on_side(i / along, static_cast<float>(i % along) / static_cast<float>(along));
-      const glm::vec2 at = half * kRings[ring] * way;
       const auto column = static_cast<int>(std::lround(0.5f * (way.x + 1) * static_cast<float>(field.across))),
                  row = static_cast<int>(std::lround(0.5f * (way.y + 1) * static_cast<float>(field.across)));
+      // On the border exactly where the patches' vertices are.
+      const auto cell = static_cast<float>(world::kGroundCell);
+      const glm::vec2 at =
+          ring == 0 ? glm::vec2(cell * static_cast<float>(column) - half, cell * static_cast<float>(row) - half)
+                    : half * kRings[ring] * way;
       const float height =
           ring == 0 ? field.height(column, row) : static_cast<float>(ground.land().seeded(double{at.x}, double{at.y}));
       far.vertices.push_back(vertex_at(ground, at, height));

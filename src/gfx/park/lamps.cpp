@@ -25,7 +25,6 @@ void add_posts(std::vector<Lamp>& lamps, const sim::Ground& ground, const sim::T
 
 std::vector<Lamp> lamps_of(const sim::Ground& ground) {
   std::vector<Lamp> lamps;
-  const glm::dvec3 down(0, -1, 0);
   bool left_side = false;
   const sim::TrackSample* before = nullptr;
   for (const sim::TrackSample& sample : ground.samples()) {
@@ -41,7 +40,7 @@ std::vector<Lamp> lamps_of(const sim::Ground& ground) {
       lamps.push_back({glm::vec3(sample.at + (room.lift + 0.88 * room.tube) * sample.up), 0.7f, 0});
     } else {
       left_side = !left_side;
-      lamps.push_back({glm::vec3(sample.at + (left_side ? 1.25 : -1.25) * left_of(sample) + 0.55 * down), 1, 0});
+      lamps.push_back({glm::vec3(sample.at + (left_side ? 1.4 : -1.4) * left_of(sample) - 0.55 * sample.up), 1, 0});
     }
   }
   return lamps;

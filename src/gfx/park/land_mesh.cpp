@@ -50,6 +50,15 @@ float open_sky(const LandField& field, int x, int z) {
   return open / 8;
 }
 
+// The height at a place in cells, smoothly between the vertices.
+float height_between(const LandField& field, float x, float z) {
+  const float left = std::floor(x), low = std::floor(z);
+  const int i = static_cast<int>(left), j = static_cast<int>(low);
+  return glm::mix(glm::mix(field.height(i, j), field.height(i + 1, j), x - left),
+                  glm::mix(field.height(i, j + 1), field.height(i + 1, j + 1), x - left), z - low);
+}
+constexpr int kNearSteps = 12;  // of a ray to the sun, for which the nearest vertex is too coarse
+
 // Marches towards the sun from a place, with x and z in cells: how much of its light arrives, softer with the distance
 // of what hides it.
 float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float highest, bool with_crowns) {
@@ -62,9 +71,10 @@ float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float high
     run += kCell * (1 + 0.06f * static_cast<float>(i));
     const float ray = start + rise * run;
     if (ray > highest + 7 || run > kSunReach) break;
-    const std::size_t at = field.at(static_cast<int>(std::lround(from.x + run * way.x)),
-                                    static_cast<int>(std::lround(from.z + run * way.y)));
-    const float over = ray - field.heights[at], wood = static_cast<float>(field.wood[at]) / 255;
+    const float x = from.x + run * way.x, z = from.z + run * way.y;
+    const std::size_t at = field.at(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(z)));
+    const float land = i < kNearSteps ? height_between(field, x, z) : field.heights[at];
+    const float over = ray - land, wood = static_cast<float>(field.wood[at]) / 255;
     lit = std::min(lit, glm::clamp(0.5f + over / (0.6f + 0.05f * run), 0.0f, 1.0f));
     if (with_crowns && wood > 0.2f && over < kCrownReach) crowns += 0.22f * wood * (over < 1 ? 0.3f : 1.0f);
   }

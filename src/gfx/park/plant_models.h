@@ -14,8 +14,8 @@ inline constexpr std::size_t kPlantKinds = 4;  // of sim::PlantKind
 // Levels of detail from near to far, and how far (m) each reaches.
 enum class PlantLevel : std::uint8_t { near, fine, coarse, far };
 inline constexpr std::size_t kPlantLevels = 4;
-inline constexpr std::array<float, kPlantLevels> kPlantReach{26, 95, 240, 1'200};
-inline constexpr float kUndergrowthReach = 240;  // m, of bushes and rocks
+inline constexpr std::array<float, kPlantLevels> kPlantReach{30, 120, 300, 1'200};
+inline constexpr float kUndergrowthReach = 260;  // m, of bushes and rocks
 
 struct PlantModel {
   std::vector<LandVertex> vertices;    // about the foot; m at size 1; closed, so that they cast shadows

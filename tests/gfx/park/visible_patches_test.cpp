@@ -99,7 +99,7 @@ TEST(VisiblePatches, meet_their_neighbours_and_come_from_near_to_far) {
   std::map<std::size_t, VisiblePatch> by_place;
   std::set<int> steps;
   for (std::size_t i = 0; i < visible.size(); ++i) {
-    if (i > 0) EXPECT_GE(visible[i].metres, visible[i - 1].metres);
+    EXPECT_GE(visible[i].metres, visible[i > 0 ? i - 1 : 0].metres);
     by_place[visible[i].index] = visible[i];
     steps.insert(visible[i].step);
   }
