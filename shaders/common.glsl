@@ -8,12 +8,12 @@ layout(std140) uniform Air {
   vec4 horizon;       // distant air, away from the sun; w: distance of dense fog in metres
   vec4 haze;          // distant air towards the sun; w: its narrowness
   vec4 middle;        // of the sky; w: amount of clouds
-  vec4 zenith;  // w: 1 if there are stars
-  vec4 glow;    // around the sun; w: brightness of the sun's disc
-  vec4 hills;   // w: their height, as a tangent; without hills the colour of distant air
-  vec4 ground;  // paint; w: its unevenness
-  vec4 grid;    // paint of its lines; w: their strength
-  vec4 ink;     // outlines of the blueprint style; w: fraction of the ground's light that a full shadow removes
+  vec4 zenith;        // w: 1 if there are stars
+  vec4 glow;          // around the sun; w: brightness of the sun's disc
+  vec4 hills;         // w: their height, as a tangent; without hills the colour of distant air
+  vec4 ground;        // paint; w: its unevenness
+  vec4 grid;          // paint of its lines; w: their strength
+  vec4 ink;           // outlines of the blueprint style; w: fraction of the ground's light that a full shadow removes
 }
 air;
 const float kHighest = 128.0;  // m above the ground: shadow maps do not distinguish greater heights

@@ -10,6 +10,6 @@ void main() {
 #else
   float shine = smoothstep(0.16, 0.03, out_2) + 0.38 * left * left * left;
 #endif
-  colour = vec4(mix(vec3(1.0, 0.72, 0.42), vec3(1.0, 0.93, 0.78), smoothstep(0.3, 1.0, shine)),
-                min(shine, 1.0) * strength);
+  colour =
+      vec4(mix(vec3(1.0, 0.72, 0.42), vec3(1.0, 0.93, 0.78), smoothstep(0.3, 1.0, shine)), min(shine, 1.0) * strength);
 }

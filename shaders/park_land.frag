@@ -1,7 +1,7 @@
 // The land: grain, shadows of track and trains, tone. With BLUEPRINT contour lines.
-uniform sampler2D grain;                     // r: coarse, g: fine
-uniform int track_taps, train_taps;          // 1 where the map may shade this patch, else 0: skips a loop
-uniform vec2 cast_heights;                   // m, the lowest that a map distinguishes, and its range
+uniform sampler2D grain;             // r: coarse, g: fine
+uniform int track_taps, train_taps;  // 1 where the map may shade this patch, else 0: skips a loop
+uniform vec2 cast_heights;           // m, the lowest that a map distinguishes, and its range
 in vec3 shaded, sunny, before;
 in float facing;
 in vec3 place;

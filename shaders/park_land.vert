@@ -6,12 +6,12 @@ layout(location = 2) in vec4 paint;  // square roots of linear light; a: ambient
 layout(location = 3) in vec2 baked;  // of the sun, and half of lamps
 uniform mat4 view_projection;
 uniform vec3 eye;
-uniform float water;                    // m
-out vec3 shaded;   // light without the sun, behind the air
-out vec3 sunny;    // what the sun adds where it meets the land at a right angle
-out vec3 before;   // light of the air
-out float facing;  // cosine between normal and sun
-out vec3 place;    // of the grain; z: how much of it shows
+uniform float water;  // m
+out vec3 shaded;      // light without the sun, behind the air
+out vec3 sunny;       // what the sun adds where it meets the land at a right angle
+out vec3 before;      // light of the air
+out float facing;     // cosine between normal and sun
+out vec3 place;       // of the grain; z: how much of it shows
 #ifdef BLUEPRINT
 out float height;  // m over the water
 #endif

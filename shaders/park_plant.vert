@@ -11,6 +11,7 @@ out vec3 world;
 #else
 uniform vec3 eye;
 uniform float snow;  // 0..1, on what faces up
+uniform float room;  // m about the eye that plants leave free
 out vec3 light;      // with the air before it
 #endif
 
@@ -22,6 +23,7 @@ void main() {
 #ifdef SHADOW
   world = at;
 #else
+  if (distance(foot.xyz + vec3(0.0, 4.0 * foot.w, 0.0), eye) < room) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   vec3 up = turned(normal.xyz), own = paint.rgb * paint.rgb;
   own *= 0.92 * mix(vec3(0.72, 0.86, 0.75), vec3(1.45, 1.18, 0.95), look.x);
   own = mix(own, vec3(0.74, 0.78, 0.84), snow * smoothstep(0.05, 0.6, up.y) * smoothstep(0.3, 0.9, paint.a));

@@ -5,10 +5,10 @@ uniform mat4 view_projection;
 uniform vec3 eye;
 uniform float water;  // m
 out vec3 world;
-out float depth;       // m
-out vec4 before;       // air, and its share
-out vec3 horizon;      // distant air where the mirrored ray goes
-out vec2 baked_light;  // sun, lamps
+out float depth;              // m
+out vec4 before;              // air, and its share
+out vec3 horizon;             // distant air where the mirrored ray goes
+out vec2 baked_light;         // sun, lamps
 out vec2 track_at, train_at;  // in the shadow maps
 
 void main() {

@@ -108,7 +108,7 @@ void apply_output(Program& program, const ui::Output& output) {
   if (output.lesson_answer != query::LessonAnswer::none) program.tutorial.answer = output.lesson_answer;
   if (output.wants_tutorial) ask_for_tutorial(program);
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, output.picture_width,
-                          program.session.settings.look->style);
+                          program.session.settings.look->style, program.session.settings.look->scenery);
   program.picture.toast = program.ui->toast();
   apply_by_hand(program, output.commands);
   if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.keys_to);

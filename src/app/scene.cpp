@@ -85,6 +85,14 @@ PictureContents find_seen(Program& program, const PictureSettings& look) {
   return seen;
 }
 
+void add_surroundings(gfx::Scene& scene, const edit::SessionFindings& find, world::Scenery scenery) {
+  scene.ground = &find.ground();
+  scene.scenery = scenery;
+  if (scenery == world::Scenery::plain) return;
+  if (!scene.ground->plain()) scene.plants = &find.plants();
+  if (scene.style != world::Style::blueprint) scene.stations = &find.stations();
+}
+
 gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const PictureContents& seen,
                           platform::Size size) {
   const edit::Session& session = program.session;
@@ -105,17 +113,13 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   scene.clock = [&] { return program.surface->clock(); };
   scene.supports = seen.supports;
   scene.document = &session.document;
-  const edit::SessionFindings find(program.session);
-  scene.ground = &find.ground();
-  scene.scenery = session.settings.look->scenery;
+  add_surroundings(scene, edit::SessionFindings(program.session), session.settings.look->scenery);
+  scene.eye_room = seen.marked.riding ? 0 : kEyeRoom;
   // A ride moves the waves; otherwise pictures of one scene are equal.
   if (session.motion.state != world::RideState::stopped)
     scene.seconds = static_cast<double>(session.tick) * world::kTick;
-  if (scene.scenery != world::Scenery::plain) {
-    if (!scene.ground->plain()) scene.plants = &find.plants();
-    if (scene.style != world::Style::blueprint) scene.stations = &find.stations();
-    if (session.settings.panels->workspace == world::Workspace::ride) scene.show_polyline = false;
-  }
+  if (scene.scenery != world::Scenery::plain && session.settings.panels->workspace == world::Workspace::ride)
+    scene.show_polyline = false;
   program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;

@@ -25,6 +25,10 @@ struct PictureContents {
 // Finds what a picture needs, seen from its eye.
 PictureContents find_seen(Program& program, const PictureSettings& look);
 
+// Adds land, plants and stations as a scenery shows them, after the scene's style is set.
+void add_surroundings(gfx::Scene& scene, const edit::SessionFindings& find, world::Scenery scenery);
+inline constexpr float kEyeRoom = 16;  // m about an eye that does not ride, where no plant stands in the view
+
 // Draws the scene; the numbers of supports and colours go to program.stats.
 gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const PictureContents& seen,
                           platform::Size size);

@@ -12,6 +12,7 @@
 #include "gfx/image.h"
 #include "sim/solids/supports.h"
 #include "view/camera.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::app {
 
@@ -33,6 +34,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
   const view::Overlay nothing_over_it;
+  session.settings.look->scenery = source.scenery;
   const std::vector<sim::Pose> cars = cart_poses(session, view.eye);
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
@@ -40,6 +42,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   scene.document = &session.document;
   edit::SessionFindings(session).look_from(gfx::surroundings_of(view));
   scene.supports = &edit::SessionFindings(session).supports();
+  add_surroundings(scene, edit::SessionFindings(session), source.scenery);
+  scene.eye_room = kEyeRoom;
   (void)renderer->draw(scene, width, height);
   gfx::GlObject texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();
@@ -48,12 +52,12 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
 }
 
 void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted,
-                           int width, world::Style style) {
+                           int width, world::Style style, world::Scenery scenery) {
   constexpr int kStep = 80;  // px: a window that is resized draws them again only sometimes
   busy_ = !std::exchange(requested_, !wanted.empty()) && requested_;
   if (busy_) return;
   for (const std::string& path : wanted) {
-    const Source source{base::change_time(path), (std::max(width, 1) + kStep - 1) / kStep * kStep, style};
+    const Source source{base::change_time(path), (std::max(width, 1) + kStep - 1) / kStep * kStep, style, scenery};
     const auto found = sources_.find(path);
     if (found != sources_.end() && found->second == source) continue;
     made_[path] = draw(gl, scenes, path, source);

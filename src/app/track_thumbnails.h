@@ -20,7 +20,7 @@ class TrackPictures {
   // first frame that requests some, so that the start screen shows at once. The pictures stay when nothing is requested
   // any more.
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, int width,
-              world::Style style);
+              world::Style style, world::Scenery scenery);
 
   // Returns whether another picture may be due: the last update drew one or was the first.
   bool busy() const { return busy_; }
@@ -32,6 +32,7 @@ class TrackPictures {
     std::int64_t time = 0;
     int width = 0;  // px
     world::Style style{};
+    world::Scenery scenery{};
     friend bool operator==(const Source&, const Source&) = default;
   };
   ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, const Source& source);

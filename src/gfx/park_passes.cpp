@@ -240,6 +240,7 @@ void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows)
   program.set("view_projection", pass.view_projection);
   program.set("eye", pass.scene.view.eye);
   program.set("snow", pass.scene.ground->land().park().land == world::Land::snow ? 0.85f : 0.0f);
+  program.set("room", pass.scene.eye_room);
   shadows.bind(program);
   constexpr float kTapped = 150;  // m up to which plants stand in shadows
   int taps = -1;

@@ -360,9 +360,9 @@ void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& lig
   use_casting(pass, light);
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
-  for (const ShadowDrawStats& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
-                                      track.supports().mesh().cast(light, unseen),
-                                      track.buildings().cast(light, unseen)}) {
+  for (const ShadowDrawStats& cast :
+       {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
+        track.supports().mesh().cast(light, unseen), track.buildings().cast(light, unseen)}) {
     pass.stats.draw_calls += cast.draw_calls;
     pass.stats.triangles += cast.triangles;
   }

@@ -39,12 +39,13 @@ struct Scene {
   world::Style style{};
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
-  bool unseen = false;                        // true: do everything except drawing pixels
-  const world::Document* document = nullptr;  // whose paint shows; null: the usual paint of the track's kind
-  const sim::Ground* ground = nullptr;        // null: the plane y = 0
-  const sim::Plants* plants = nullptr;        // null: none are drawn
+  bool unseen = false;                              // true: do everything except drawing pixels
+  const world::Document* document = nullptr;        // whose paint shows; null: the usual paint of the track's kind
+  const sim::Ground* ground = nullptr;              // null: the plane y = 0
+  const sim::Plants* plants = nullptr;              // null: none are drawn
   const sim::StationBuildings* stations = nullptr;  // null: platforms stand alone
   world::Scenery scenery{};
+  float eye_room = 0;  // m about the eye where no plants are drawn, so that none hides the track
   double seconds = 3;  // clock of waves, which only a ride moves on
   float detail = 1;    // factor of the distances from which on the track is coarse
 };

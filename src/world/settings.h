@@ -54,7 +54,7 @@ struct Panels;       // world/panel_settings.h
 enum class Colouring : std::uint8_t;  // world/laboratory.h
 enum class LabPage : std::uint8_t;    // world/laboratory.h
 enum class Layer : std::uint8_t;      // world/layers.h
-enum class Scenery : std::uint8_t;
+enum class Scenery : std::uint8_t;    // world/appearance_settings.h
 enum class Style : std::uint8_t;      // world/appearance_settings.h
 enum class Theme : std::uint8_t;      // world/appearance_settings.h
 

@@ -36,6 +36,7 @@ Spot spot_at(const Ground& ground, double x, double z) {
 
 // How wooded a place is, 0..1 before the random number: by brush, else by noise and the slider.
 double density(const Ground& ground, double x, double z) {
+  constexpr double kStart = 40;  // m about the origin, where tracks begin
   const world::Park& park = ground.land().park();
   const int column = static_cast<int>(std::floor(x / world::kGroundCell)),
             row = static_cast<int>(std::floor(z / world::kGroundCell));
@@ -48,6 +49,7 @@ double density(const Ground& ground, double x, double z) {
     const std::uint8_t painted = tile->woods[static_cast<std::size_t>(cz * (world::kGroundTileCells / 2) + cx)];
     if (painted > 0) return (painted - 1) / 254.0;
   }
+  if (x * x + z * z < kStart * kStart) return 0;
   const double noisy =
       1.5 * noise(x / 70, z / 70, park.seed + kDensity) + 0.6 * noise(x / 22, z / 22, park.seed + kDetail);
   return kFloras[static_cast<std::size_t>(park.land)].trees *

@@ -10,7 +10,7 @@
 namespace coaster::sim {
 namespace {
 
-constexpr int kTubeSides = 14;                         // of a tube
+constexpr int kTubeSides = 14;                     // of a tube
 constexpr float kReveal = 2.0f;                    // m, depth of a portal's opening
 constexpr double kWallSide = 2.8, kWallTop = 2.6;  // m of wall beside and over the tube
 constexpr glm::vec3 kLining[] = {{0.30f, 0.28f, 0.25f}, {0.24f, 0.225f, 0.20f}};
