@@ -131,8 +131,10 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
 void StartScreen::build_tracks(Ui& ui) {
   if (samples_.empty()) {
     samples_ = json_files(base::data_folder() / "tracks");
-    std::ranges::stable_partition(  // those in a park first
-        samples_, [](const std::filesystem::path& file) { return file.filename().string().starts_with("park_"); });
+    const auto in_park = [](const std::filesystem::path& file) {
+      return file.filename().string().starts_with("park_");
+    };
+    std::stable_partition(samples_.begin(), samples_.end(), in_park);  // those first
   }
   const float gap = std::floor(12 * ui.scale);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - (kCardsInARow - 1) * gap) / kCardsInARow);
