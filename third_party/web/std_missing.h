@@ -55,6 +55,30 @@ constexpr void sort(Range&& range, Less less = {}, Projection projection = {}) {
     return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
   });
 }
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+constexpr void stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) -> bool {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  });
+}
+template <class A, class B, class Test = std::equal_to<>, class OfA = std::identity, class OfB = std::identity>
+constexpr bool equal(const A& a, const B& b, Test test = {}, OfA of_a = {}, OfB of_b = {}) {
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b), [&](const auto& x, const auto& y) -> bool {
+    return std::invoke(test, std::invoke(of_a, x), std::invoke(of_b, y));
+  });
+}
+template <class Range, class Value>
+constexpr void fill(Range&& range, const Value& value) {
+  std::fill(std::begin(range), std::end(range), value);
+}
+template <class Range>
+constexpr auto max_element(Range&& range) {
+  return std::max_element(std::begin(range), std::end(range));
+}
+template <class Range>
+constexpr auto minmax_element(Range&& range) {
+  return std::minmax_element(std::begin(range), std::end(range));
+}
 template <class Range, class Value, class Less = std::less<>, class Projection = std::identity>
 constexpr auto upper_bound(Range&& range, const Value& value, Less less = {}, Projection projection = {}) {
   return std::upper_bound(std::begin(range), std::end(range), value, [&](const auto& wanted, const auto& item) -> bool {

@@ -185,7 +185,7 @@ bool read_park(JsonFieldReader& fields, world::Park& park, std::vector<std::stri
   if (!member.text("land", land)) return failed();
   const auto* const row = std::ranges::find(world::kLands, land, &world::LandRow::in_file);
   if (row == world::kLands) return true;  // plain
-  if (row == std::ranges::end(world::kLands)) {
+  if (row == std::end(world::kLands)) {
     warnings.push_back(fmt::format("park.land: this program does not know {}: the land is plain", json_string(land)));
     fields.leave("park");
     return true;
