@@ -1,4 +1,5 @@
 // Near misses of tracks with known distances: a straight that passes over another one, and columns next to it.
+#include "sim/solids/supports.h"
 #include "sim/study/ratings.h"
 
 #include <gtest/gtest.h>
