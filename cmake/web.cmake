@@ -12,6 +12,10 @@ target_link_options(coaster PRIVATE
 foreach(data tracks envelopes challenges tutorials)
   target_link_options(coaster PRIVATE "SHELL:--preload-file ${CMAKE_SOURCE_DIR}/${data}@/usr/share/coaster/${data}")
 endforeach()
+# The largest samples would make the page a twentieth larger.
+foreach(large kestrel night_heron copper_gulch fox_and_thicket)
+  target_link_options(coaster PRIVATE "SHELL:--exclude-file *park_${large}.json")
+endforeach()
 target_link_options(coaster PRIVATE "SHELL:--exclude-file *.lock")  # of tracks that are open while this is built
 # The files around the program. The worker's version is a hash of the files that it caches.
 add_custom_command(TARGET coaster POST_BUILD

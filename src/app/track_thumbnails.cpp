@@ -6,6 +6,7 @@
 
 #include "app/scene.h"
 #include "base/folders.h"
+#include "base/parallel.h"
 #include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
@@ -42,7 +43,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   scene.document = &session.document;
   edit::SessionFindings(session).look_from(gfx::surroundings_of(view));
   scene.supports = &edit::SessionFindings(session).supports();
-  add_surroundings(scene, edit::SessionFindings(session), source.scenery);
+  // Where no thread helps, a land would take half a second of each picture.
+  if (base::has_threads()) add_surroundings(scene, edit::SessionFindings(session), source.scenery);
   scene.eye_room = kEyeRoom;
   (void)renderer->draw(scene, width, height);
   gfx::GlObject texture = gfx::make_texture(gl, renderer->read_pixels());
