@@ -69,6 +69,7 @@ class GrowingBuffer {
   }
   // Writes within the reserved size, from item `first` on.
   void write(std::size_t first, std::span<const T> items) {
+    if (items.empty()) return;  // a length of 0 means the rest of the memory in WebGL
     COASTER_CHECK(first * sizeof(T) + items.size_bytes() <= capacity_, "writes stay within the reserved size");
     gl_->BindBuffer(GL_COPY_WRITE_BUFFER, object_.id());
     gl_->BufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(first * sizeof(T)), GLsizeiptr(items.size_bytes()), items.data());
@@ -76,7 +77,7 @@ class GrowingBuffer {
   // Writes from the start; returns what reserve() does.
   bool fill(std::span<const T> items) {
     const bool moved = reserve(items.size());
-    if (!items.empty()) write(0, items);
+    write(0, items);
     return moved;
   }
   GLuint id() const { return object_.id(); }

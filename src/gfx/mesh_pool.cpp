@@ -80,7 +80,7 @@ std::int64_t MeshPool::write(sim::Mesh& mesh, Id& id, Stopwatch& watch) {
   watch.time([&] { settle(mesh, id); });
   const Solid& solid = solids_[id];
   if (vertices_.reserve(vertex_ranges_.used())) link();
-  if (!mesh.vertices.empty()) vertices_.write(solid.vertices.first, mesh.vertices);
+  vertices_.write(solid.vertices.first, mesh.vertices);
   for (Level& level : levels_) write_indices(level, solid.*level.range, mesh.*level.indices);
   near_metres_ = -1;
   return written_ + std::int64_t(mesh.vertices.size() * sizeof(sim::MeshVertex));

@@ -101,7 +101,7 @@ void expect_settled(const Session& session) {
 
 TEST_F(Applying, a_command_that_is_cancelled_at_any_moment_changes_nothing_or_is_done) {
   int cancelled = 0;
-  for (int i = 0; i < test::tries(100); ++i) {
+  for (int i = 0; i < test::tries(160); ++i) {
     const auto seed = static_cast<std::uint32_t>(i);
     test::RandomCommands random(seed);
     const Command c = i % 4 == 0 ? random.of_kind(random.below(Commands::size)) : document_command(random);
