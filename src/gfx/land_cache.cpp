@@ -6,7 +6,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr std::size_t kPatchVertices = std::size_t{LandPatch::kSide} * LandPatch::kSide;
+constexpr std::size_t kPatchVertices = std::size_t{sim::LandPatch::kSide} * sim::LandPatch::kSide;
 constexpr std::size_t kPatchIndices = std::size_t{6} * world::kGroundTileCells * world::kGroundTileCells;
 
 void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride,
@@ -19,15 +19,15 @@ void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, 
 
 void land_attributes(const Gl& gl, GLuint buffer, std::size_t first) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  const std::size_t offset = first * sizeof(LandVertex);
-  float_attribute(gl, 0, 3, sizeof(LandVertex), offset);
-  byte_attribute(gl, 1, 4, GL_BYTE, sizeof(LandVertex), offset + offsetof(LandVertex, normal));
-  byte_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, sizeof(LandVertex), offset + offsetof(LandVertex, paint));
+  const std::size_t offset = first * sizeof(sim::LandVertex);
+  float_attribute(gl, 0, 3, sizeof(sim::LandVertex), offset);
+  byte_attribute(gl, 1, 4, GL_BYTE, sizeof(sim::LandVertex), offset + offsetof(sim::LandVertex, normal));
+  byte_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, sizeof(sim::LandVertex), offset + offsetof(sim::LandVertex, paint));
 }
 
 void light_attribute(const Gl& gl, GLuint buffer, std::size_t first) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  byte_attribute(gl, 3, 2, GL_UNSIGNED_BYTE, sizeof(LandLight), first * sizeof(LandLight));
+  byte_attribute(gl, 3, 2, GL_UNSIGNED_BYTE, sizeof(sim::LandLight), first * sizeof(sim::LandLight));
 }
 
 void LandCache::make_shared() {
@@ -55,9 +55,9 @@ void LandCache::link() {
   gl.BindVertexArray(0);
 }
 
-LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const LandMesh& mesh) {
+LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const sim::LandMesh& mesh) {
   UploadStats stats;
-  const std::span<const LandPatch> patches = mesh.patches();
+  const std::span<const sim::LandPatch> patches = mesh.patches();
   if (lists_.empty()) make_shared();
   if (reset_ != mesh.reset_build() || held_.size() != patches.size()) {
     reset_ = mesh.reset_build();
@@ -69,12 +69,12 @@ LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const LandMesh
     link();
   }
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const LandPatch& patch = patches[i];
+    const sim::LandPatch& patch = patches[i];
     Held& held = held_[i];
     if (held.light_build != patch.light_build) {
       held.light_build = patch.light_build;
       light_.write(i * kPatchVertices, patch.light);
-      stats.bytes += static_cast<std::int64_t>(patch.light.size() * sizeof(LandLight));
+      stats.bytes += static_cast<std::int64_t>(patch.light.size() * sizeof(sim::LandLight));
     }
     if (held.build == patch.build) continue;
     held.build = patch.build;
@@ -82,14 +82,14 @@ LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const LandMesh
     vertices_.write(i * kPatchVertices, patch.vertices);
     own_.write(i * kPatchIndices, patch.indices);
     ++stats.patches;
-    stats.bytes += static_cast<std::int64_t>(patch.vertices.size() * sizeof(LandVertex) +
+    stats.bytes += static_cast<std::int64_t>(patch.vertices.size() * sizeof(sim::LandVertex) +
                                              patch.indices.size() * sizeof(std::uint16_t));
   }
   sync_far(ground, mesh, stats);
   return stats;
 }
 
-void LandCache::sync_far(const sim::Ground& ground, const LandMesh& mesh, UploadStats& stats) {
+void LandCache::sync_far(const sim::Ground& ground, const sim::LandMesh& mesh, UploadStats& stats) {
   const world::Park& park = ground.land().park();
   std::vector<std::uint64_t> key{mesh.reset_build(), std::bit_cast<std::uint64_t>(park.relief),
                                  std::bit_cast<std::uint64_t>(park.woods)};
@@ -102,7 +102,7 @@ void LandCache::sync_far(const sim::Ground& ground, const LandMesh& mesh, Upload
   far_land_ = far_land(ground, mesh.field());
   far_.fill(far_land_.vertices);
   far_indices_.fill(far_land_.indices);
-  stats.bytes += static_cast<std::int64_t>(far_land_.vertices.size() * sizeof(LandVertex) +
+  stats.bytes += static_cast<std::int64_t>(far_land_.vertices.size() * sizeof(sim::LandVertex) +
                                            far_land_.indices.size() * sizeof(std::uint16_t));
   if (far_array_.id() == 0) far_array_ = make_vertex_array(*gl_);
   gl_->BindVertexArray(far_array_.id());
@@ -111,7 +111,7 @@ void LandCache::sync_far(const sim::Ground& ground, const LandMesh& mesh, Upload
   gl_->BindVertexArray(0);
 }
 
-std::int64_t LandCache::draw(const LandMesh& mesh, const VisiblePatch& patch, bool unseen) const {
+std::int64_t LandCache::draw(const sim::LandMesh& mesh, const VisiblePatch& patch, bool unseen) const {
   const Held& held = held_[patch.index];
   // A patch with open cells has only its own triangles, and its neighbours are as fine.
   const bool own = (patch.step == 1 && patch.snapped == 0) || mesh.patches()[patch.index].open;

@@ -10,8 +10,8 @@
 
 #include "gfx/growing_buffer.h"
 #include "gfx/park/far_land.h"
-#include "gfx/park/land_mesh.h"
 #include "gfx/park/visible_patches.h"
+#include "sim/ground/land_mesh.h"
 
 namespace coaster::gfx {
 
@@ -28,11 +28,11 @@ class LandCache {
     int patches = 0;         // whose vertices or triangles were written
     std::int64_t bytes = 0;  // of all that was written
   };
-  UploadStats sync(const sim::Ground& ground, const LandMesh& mesh);
+  UploadStats sync(const sim::Ground& ground, const sim::LandMesh& mesh);
 
   // Draws one patch with the program in use (locations 0 position, 1 normal, 2 paint, 3 light) and returns the number
   // of triangles; `unseen`: only counts.
-  std::int64_t draw(const LandMesh& mesh, const VisiblePatch& patch, bool unseen) const;
+  std::int64_t draw(const sim::LandMesh& mesh, const VisiblePatch& patch, bool unseen) const;
   // Draws the far land that may be in the picture, and returns the number of triangles.
   std::int64_t draw_far(const glm::mat4& view_projection, bool unseen) const;
   const FarLand& far() const { return far_land_; }
@@ -44,19 +44,19 @@ class LandCache {
     GLsizei indices = 0;
   };
   void link();
-  void sync_far(const sim::Ground& ground, const LandMesh& mesh, UploadStats& stats);
+  void sync_far(const sim::Ground& ground, const sim::LandMesh& mesh, UploadStats& stats);
   void make_shared();
 
   const Gl* gl_;
-  GrowingBuffer<LandVertex> vertices_;
-  GrowingBuffer<LandLight> light_;
+  GrowingBuffer<sim::LandVertex> vertices_;
+  GrowingBuffer<sim::LandLight> light_;
   GrowingBuffer<std::uint16_t> own_, shared_;   // indices by patch; those of steps and snapped sides
   std::map<std::pair<int, int>, Range> lists_;  // in `shared_`, by step and snapped sides
   std::vector<Held> held_;
   std::uint64_t reset_ = 0;
   FarLand far_land_;
   std::vector<std::uint64_t> far_key_;
-  GrowingBuffer<LandVertex> far_;
+  GrowingBuffer<sim::LandVertex> far_;
   GrowingBuffer<std::uint16_t> far_indices_;
   GlObject far_array_;
 };

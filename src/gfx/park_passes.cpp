@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "gfx/land_cache.h"
-#include "gfx/park/fixtures.h"
 #include "gfx/park/grain.h"
 #include "gfx/plant_cache.h"
+#include "sim/ground/fixtures.h"
 #include "world/appearance_settings.h"
 
 namespace coaster::gfx {
@@ -35,7 +35,7 @@ void bind_texture(const Gl& gl, int unit, GLuint texture) {
 
 constexpr float kHeightLayer = 16;  // m: maps are kept while a track grows by less
 
-Box box_of(const LandPatch& patch) {
+Box box_of(const sim::LandPatch& patch) {
   Box box{patch.vertices.front().position, patch.vertices.back().position};
   box.low.y = patch.low, box.high.y = patch.high;
   return box;
@@ -50,25 +50,25 @@ struct ParkPasses::Parts {
   explicit Parts(const Gl& of)
       : gl(of), land(of), plants(of), fixture_vertices(of), fixture_light(of), fixture_indices(of), lamp_buffer(of) {}
   const Gl& gl;
-  LandMesh mesh;
+  sim::LandMesh mesh;
   LandCache land;
   PlantCache plants;
   bool planted = false;
-  FixtureMesh fixtures;  // as uploaded
-  GrowingBuffer<LandVertex> fixture_vertices;
-  GrowingBuffer<LandLight> fixture_light;
+  sim::FixtureMesh fixtures;  // as uploaded
+  GrowingBuffer<sim::LandVertex> fixture_vertices;
+  GrowingBuffer<sim::LandLight> fixture_light;
   GrowingBuffer<std::uint32_t> fixture_indices;
   GlObject fixture_array;
   std::uint64_t ground_build = 0, fixture_version = 1;
   bool lit = false;
-  std::vector<Lamp> lamps, lights;  // all; those that shine
+  std::vector<sim::Lamp> lamps, lights;  // all; those that shine
   GrowingBuffer<glm::vec4> lamp_buffer;
   GlObject lamp_array, lamp_map, grain;
   std::vector<VisiblePatch> visible;
   glm::vec2 heights{0};  // m, from the lowest land to the highest caster
   float lowest = 0;      // m, of the land
 
-  std::int64_t write_fixtures(FixtureMesh made);
+  std::int64_t write_fixtures(sim::FixtureMesh made);
 };
 
 ParkPasses::ParkPasses(const Gl& gl) : parts_(std::make_unique<Parts>(gl)) {}
@@ -76,7 +76,7 @@ ParkPasses::~ParkPasses() = default;
 
 bool ParkPasses::shows(const Scene& scene) { return scene.ground != nullptr && !scene.ground->plain(); }
 
-std::int64_t ParkPasses::Parts::write_fixtures(FixtureMesh made) {
+std::int64_t ParkPasses::Parts::write_fixtures(sim::FixtureMesh made) {
   const auto bytes_of = [](const auto& items) { return static_cast<std::int64_t>(items.size() * sizeof(items[0])); };
   fixtures = std::move(made);
   ++fixture_version;
@@ -98,20 +98,19 @@ void ParkPasses::upload_lamps(const Scene& scene, const SceneStyle& style) {
   const Gl& gl = parts.gl;
   if (parts.lamp_map.id() == 0 || style.night) {
     const bool shine = style.night;
-    const int side =
-        shine
-            ? static_cast<int>(scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell / kLampCell)
-            : 1;
+    const int side = shine ? static_cast<int>(scene.ground->tiles_across() * world::kGroundTileCells *
+                                              world::kGroundCell / sim::kLampCell)
+                           : 1;
     gl.ActiveTexture(GL_TEXTURE0);
     parts.lamp_map = make_texture(gl, GL_LINEAR, GL_LINEAR);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const std::vector<std::uint8_t> texels =
-        shine ? lamp_map(*scene.ground, parts.lights, parts.heights) : std::vector<std::uint8_t>(2);
+        shine ? sim::lamp_map(*scene.ground, parts.lights, parts.heights) : std::vector<std::uint8_t>(2);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, side, side, 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   }
   std::vector<glm::vec4> glows;
-  for (const Lamp& lamp : parts.lights) glows.emplace_back(lamp.at, lamp.strength);
+  for (const sim::Lamp& lamp : parts.lights) glows.emplace_back(lamp.at, lamp.strength);
   parts.lamp_buffer.fill(glows);
   if (parts.lamp_array.id() == 0) parts.lamp_array = make_vertex_array(gl);
   gl.BindVertexArray(parts.lamp_array.id());
@@ -126,8 +125,8 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
   if (parts.grain.id() == 0) parts.grain = make_grain_texture(parts.gl);
   const bool moved = std::exchange(parts.ground_build, ground.build()) != ground.build();
   const bool relit = std::exchange(parts.lit, style.night) != style.night || parts.lamp_map.id() == 0;
-  if (moved) parts.lamps = lamps_of(ground);
-  parts.lights = style.night ? parts.lamps : std::vector<Lamp>();
+  if (moved) parts.lamps = sim::lamps_of(ground);
+  parts.lights = style.night ? parts.lamps : std::vector<sim::Lamp>();
   parts.mesh.update(ground, scene.plants, glm::normalize(style.sun), !style.drawing, parts.lights);
   const LandCache::UploadStats written = parts.land.sync(ground, parts.mesh);
   stats.park_uploads = written.patches;
@@ -142,8 +141,8 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
   else if (parts.planted) parts.plants.clear();
   parts.planted = scene.plants != nullptr;
   if (moved || relit) {
-    FixtureMesh made = fixture_mesh(ground, parts.lamps, parts.lights);
-    const auto same = [](const LandVertex& a, const LandVertex& b) {
+    sim::FixtureMesh made = sim::fixture_mesh(ground, parts.lamps, parts.lights);
+    const auto same = [](const sim::LandVertex& a, const sim::LandVertex& b) {
       return a.position == b.position && a.normal == b.normal && a.paint == b.paint;
     };
     if (parts.fixture_array.id() == 0 || made.light != parts.fixtures.light ||
@@ -206,7 +205,7 @@ void ParkPasses::draw_patches(const PassContext& pass, const SunShadows& shadows
     if (trains != int(by_trains)) program.set("train_taps", trains = int(by_trains));
   };
   for (const VisiblePatch& patch : parts.visible) {
-    const LandPatch& land = parts.mesh.patches()[patch.index];
+    const sim::LandPatch& land = parts.mesh.patches()[patch.index];
     if (water && land.low >= level) continue;
     Box box = box_of(land);
     if (water) box.low.y = box.high.y = level;
@@ -245,7 +244,7 @@ void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows)
   constexpr float kTapped = 150;  // m up to which plants stand in shadows
   int taps = -1;
   for (const VisiblePatch& patch : parts.visible) {
-    if (patch.metres > kPlantReach.back()) break;
+    if (patch.metres > sim::kPlantReach.back()) break;
     Box box = box_of(parts.mesh.patches()[patch.index]);
     box.high.y += kPlantHeight;
     const bool shaded = pass.scene.shadows && patch.metres < kTapped && shadows.track().reaches(box);

@@ -21,13 +21,14 @@ void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, 
 
 PlantCache::PlantCache(const Gl& gl) : gl_(&gl), vertices_(gl), indices_(gl), instances_(gl) {}
 
-std::int64_t PlantCache::sync(const sim::Plants& plants, const LandMesh& land) {
+std::int64_t PlantCache::sync(const sim::Plants& plants, const sim::LandMesh& land) {
   if (array_.id() == 0) {
-    std::vector<LandVertex> vertices;
+    std::vector<sim::LandVertex> vertices;
     std::vector<std::uint16_t> indices;
-    for (std::size_t kind = 0; kind < kPlantKinds; ++kind) {
-      for (std::size_t level = 0; level < kPlantLevels; ++level) {
-        const PlantModel model = plant_model(static_cast<sim::PlantKind>(kind), static_cast<PlantLevel>(level));
+    for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind) {
+      for (std::size_t level = 0; level < sim::kPlantLevels; ++level) {
+        const sim::PlantModel model =
+            sim::plant_model(static_cast<sim::PlantKind>(kind), static_cast<sim::PlantLevel>(level));
         models_[kind][level] = {static_cast<std::uint32_t>(indices.size()),
                                 static_cast<std::uint32_t>(model.indices.size())};
         for (const std::uint16_t index : model.indices)
@@ -40,9 +41,9 @@ std::int64_t PlantCache::sync(const sim::Plants& plants, const LandMesh& land) {
     array_ = make_vertex_array(*gl_);
     gl_->BindVertexArray(array_.id());
     gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    float_attribute(*gl_, 0, 3, sizeof(LandVertex), 0);
-    byte_attribute(*gl_, 1, 4, GL_BYTE, sizeof(LandVertex), offsetof(LandVertex, normal), 0);
-    byte_attribute(*gl_, 2, 4, GL_UNSIGNED_BYTE, sizeof(LandVertex), offsetof(LandVertex, paint), 0);
+    float_attribute(*gl_, 0, 3, sizeof(sim::LandVertex), 0);
+    byte_attribute(*gl_, 1, 4, GL_BYTE, sizeof(sim::LandVertex), offsetof(sim::LandVertex, normal), 0);
+    byte_attribute(*gl_, 2, 4, GL_UNSIGNED_BYTE, sizeof(sim::LandVertex), offsetof(sim::LandVertex, paint), 0);
     gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl_->BindVertexArray(0);
   }
@@ -60,9 +61,9 @@ std::int64_t PlantCache::sync(const sim::Plants& plants, const LandMesh& land) {
   return bytes;
 }
 
-void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, const LandMesh& land) {
+void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, const sim::LandMesh& land) {
   Held& held = held_[patch];
-  const LandPatch& ground = land.patches()[patch];
+  const sim::LandPatch& ground = land.patches()[patch];
   held.box = {ground.vertices.front().position, ground.vertices.back().position};
   held.box.low.y = ground.low, held.box.high.y = ground.high + kPlantHeight;
   const auto group_of = [&](const sim::Plant& plant) {
@@ -77,20 +78,20 @@ void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, co
   });
   std::vector<Instance> instances;
   std::size_t next = 0;
-  for (std::size_t kind = 0; kind < kPlantKinds; ++kind) {
+  for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind) {
     for (std::size_t group = 0; group < kAllGroups; ++group) {
       held.begins[kind][group] = static_cast<std::uint16_t>(next);
       while (next < sorted.size() && static_cast<std::size_t>(sorted[next]->kind) == kind &&
              group_of(*sorted[next]) == group) {
         const sim::Plant& plant = *sorted[next++];
         const bool tree = plant.kind == sim::PlantKind::conifer || plant.kind == sim::PlantKind::broadleaf;
-        const LandLight there = land.light_at(double{plant.foot.x}, double{plant.foot.z});
+        const sim::LandLight there = land.light_at(double{plant.foot.x}, double{plant.foot.z});
         const float sun = land.sun_over(plant.foot + glm::vec3(0, tree ? kCrownMiddle * plant.size : 0.5f, 0));
         Instance& made = instances.emplace_back();
         made.foot = plant.foot, made.size = plant.size;
         made.turn = {static_cast<std::int8_t>(std::lround(127 * plant.turn.x)),
                      static_cast<std::int8_t>(std::lround(127 * plant.turn.y)), 0, 0};
-        made.look = {byte_of(plant.tint), byte_of(sun), there.lamp, 0};
+        made.look = {sim::byte_of(plant.tint), sim::byte_of(sun), there.lamp, 0};
       }
     }
     held.begins[kind][kAllGroups] = static_cast<std::uint16_t>(next);
@@ -99,8 +100,8 @@ void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, co
 }
 
 // Draws neighbours of one kind at a level.
-void PlantCache::draw_run(std::size_t patch, std::size_t kind, PlantLevel level, std::size_t begin, std::size_t end,
-                          bool unseen, Drawn& drawn) const {
+void PlantCache::draw_run(std::size_t patch, std::size_t kind, sim::PlantLevel level, std::size_t begin,
+                          std::size_t end, bool unseen, Drawn& drawn) const {
   if (begin >= end) return;
   const Range& model = models_[kind][static_cast<std::size_t>(level)];
   ++drawn.draw_calls;
@@ -130,18 +131,18 @@ PlantCache::Drawn PlantCache::draw(std::size_t patch, glm::vec3 eye, bool unseen
     box.low.z += side.z * static_cast<float>(group / kGroups), box.high.z = box.low.z + side.z;
     metres[group] = distance_to(box, eye);
   }
-  for (std::size_t kind = 0; kind < kPlantKinds; ++kind) {
+  for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind) {
     const bool tree = kind <= static_cast<std::size_t>(sim::PlantKind::broadleaf);
-    const float reach = tree ? kPlantReach.back() : kUndergrowthReach;
+    const float reach = tree ? sim::kPlantReach.back() : sim::kUndergrowthReach;
     std::size_t group = 0;
     while (group < kAllGroups) {
       if (metres[group] > reach) {
         ++group;
         continue;
       }
-      const PlantLevel level = plant_level(metres[group]);
+      const sim::PlantLevel level = sim::plant_level(metres[group]);
       std::size_t end = group;
-      while (end < kAllGroups && metres[end] <= reach && plant_level(metres[end]) == level) ++end;
+      while (end < kAllGroups && metres[end] <= reach && sim::plant_level(metres[end]) == level) ++end;
       draw_run(patch, kind, level, held.begins[kind][group], held.begins[kind][end], unseen, drawn);
       group = end;
     }
@@ -157,8 +158,8 @@ PlantCache::Drawn PlantCache::cast(const glm::mat4& light, bool unseen) const {
   }
   for (std::size_t patch = 0; patch < held_.size(); ++patch) {
     if (!may_show(light, held_[patch].box)) continue;
-    for (std::size_t kind = 0; kind < kPlantKinds; ++kind)
-      draw_run(patch, kind, PlantLevel::far, held_[patch].begins[kind][0], held_[patch].begins[kind][kAllGroups],
+    for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind)
+      draw_run(patch, kind, sim::PlantLevel::far, held_[patch].begins[kind][0], held_[patch].begins[kind][kAllGroups],
                unseen, drawn);
   }
   return drawn;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
-#include "gfx/park/land_mesh.h"
-#include "gfx/park/plant_models.h"
 #include "gfx/park/visible_patches.h"
+#include "sim/ground/land_mesh.h"
+#include "sim/ground/plant_models.h"
 #include "sim/ground/plants.h"
 
 namespace coaster::gfx {
@@ -19,7 +19,7 @@ class PlantCache {
   explicit PlantCache(const Gl& gl);
 
   // Returns the bytes written.
-  std::int64_t sync(const sim::Plants& plants, const LandMesh& land);
+  std::int64_t sync(const sim::Plants& plants, const sim::LandMesh& land);
   void clear() { held_.clear(), ++version_; }
   std::uint64_t version() const { return version_; }  // a new number when plants change
 
@@ -47,17 +47,17 @@ class PlantCache {
     std::uint64_t plants = 0, light = 0;
     Box box;
     // Where each group's instances of a kind begin, in the patch's own, and their end.
-    std::array<std::array<std::uint16_t, kAllGroups + 1>, kPlantKinds> begins{};
+    std::array<std::array<std::uint16_t, kAllGroups + 1>, sim::kPlantKinds> begins{};
   };
-  void write(std::size_t patch, std::span<const sim::Plant> plants, const LandMesh& land);
-  void draw_run(std::size_t patch, std::size_t kind, PlantLevel level, std::size_t begin, std::size_t end, bool unseen,
-                Drawn& drawn) const;
+  void write(std::size_t patch, std::span<const sim::Plant> plants, const sim::LandMesh& land);
+  void draw_run(std::size_t patch, std::size_t kind, sim::PlantLevel level, std::size_t begin, std::size_t end,
+                bool unseen, Drawn& drawn) const;
 
   const Gl* gl_;
-  GrowingBuffer<LandVertex> vertices_;
+  GrowingBuffer<sim::LandVertex> vertices_;
   GrowingBuffer<std::uint16_t> indices_;
   GrowingBuffer<Instance> instances_;
-  std::array<std::array<Range, kPlantLevels>, kPlantKinds> models_;  // their indices
+  std::array<std::array<Range, sim::kPlantLevels>, sim::kPlantKinds> models_;  // their indices
   GlObject array_;
   std::vector<Held> held_;
   std::uint64_t version_ = 1;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gfx/park/land_paint.h"
+#include "sim/ground/land_paint.h"
 
 namespace coaster::gfx {
 namespace {
@@ -22,16 +22,16 @@ glm::vec2 on_side(int side, float along) {
   }
 }
 
-LandVertex vertex_at(const sim::Ground& ground, glm::vec2 at, float height) {
+sim::LandVertex vertex_at(const sim::Ground& ground, glm::vec2 at, float height) {
   const world::Park& park = ground.land().park();
   const double x = double{at.x}, z = double{at.y}, e = 6;
   const sim::Land& land = ground.land();
   const glm::dvec3 slope(land.seeded(x - e, z) - land.seeded(x + e, z), 2 * e,
                          land.seeded(x, z - e) - land.seeded(x, z + e));
   const glm::vec3 normal(glm::normalize(slope));
-  const float wood = far_woods(park, x, z);
-  const glm::vec3 paint = land_paint(park, {x, z, height, normal.y, wood, 0});
-  LandVertex vertex;
+  const float wood = sim::far_woods(park, x, z);
+  const glm::vec3 paint = sim::land_paint(park, {x, z, height, normal.y, wood, 0});
+  sim::LandVertex vertex;
   vertex.position = {at.x, height, at.y};
   for (int i = 0; i < 3; ++i) {
     vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
@@ -44,7 +44,7 @@ LandVertex vertex_at(const sim::Ground& ground, glm::vec2 at, float height) {
 
 }  // namespace
 
-FarLand far_land(const sim::Ground& ground, const LandField& field) {
+FarLand far_land(const sim::Ground& ground, const sim::LandField& field) {
   FarLand far;
   const int first_side = field.across / kBorder;  // of the first ring
   const float half = 0.5f * static_cast<float>(field.across) * static_cast<float>(world::kGroundCell);

@@ -31,13 +31,13 @@ float distance_to(const Box& box, glm::vec3 from) {
   return glm::length(glm::max(glm::max(box.low - from, from - box.high), glm::vec3(0)));
 }
 
-std::vector<VisiblePatch> visible_patches(std::span<const LandPatch> patches, const glm::mat4& view_projection,
+std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patches, const glm::mat4& view_projection,
                                           glm::vec3 eye, float near) {
   const int across = static_cast<int>(std::lround(std::sqrt(static_cast<double>(patches.size()))));
   std::vector<Box> boxes(patches.size());
   std::vector<std::uint8_t> steps(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const LandPatch& patch = patches[i];
+    const sim::LandPatch& patch = patches[i];
     boxes[i] = {patch.vertices.front().position, patch.vertices.back().position};
     boxes[i].low.y = patch.low, boxes[i].high.y = patch.high + kPlantHeight;
     const float metres = distance_to(boxes[i], eye);
@@ -83,7 +83,7 @@ std::vector<std::uint16_t> patch_indices(int step, std::uint8_t snapped) {
                along = (z == 0 && (snapped & 4)) || (z == kCells && (snapped & 8));
     if (across) z = snap(z);
     if (along) x = snap(x);
-    return static_cast<std::uint16_t>(z * LandPatch::kSide + x);
+    return static_cast<std::uint16_t>(z * sim::LandPatch::kSide + x);
   };
   std::vector<std::uint16_t> indices;
   const auto add = [&](std::uint16_t a, std::uint16_t b, std::uint16_t c) {

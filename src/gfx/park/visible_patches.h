@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "gfx/park/land_mesh.h"
+#include "sim/ground/land_mesh.h"
 
 namespace coaster::gfx {
 
@@ -32,7 +32,7 @@ inline constexpr std::uint8_t kAllSides = 15;
 inline constexpr float kPlantHeight = 14;  // m over the land that a patch's box includes
 
 // Returns the patches in the picture, the nearest first. `near` scales the distances up to which they are fine.
-std::vector<VisiblePatch> visible_patches(std::span<const LandPatch> patches, const glm::mat4& view_projection,
+std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patches, const glm::mat4& view_projection,
                                           glm::vec3 eye, float near);
 
 // Returns the triangles of a patch with a step and its snapped sides, as indices of its vertices.

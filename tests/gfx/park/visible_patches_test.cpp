@@ -10,7 +10,7 @@
 namespace coaster::gfx {
 namespace visible_patches_test {
 
-constexpr int kSide = LandPatch::kSide, kCells = kSide - 1;
+constexpr int kSide = sim::LandPatch::kSide, kCells = kSide - 1;
 
 // The vertices along one side of a patch that its triangles use: 0 to 3 for -x, +x, -z, +z.
 std::set<int> along(const std::vector<std::uint16_t>& indices, int side) {
@@ -84,7 +84,7 @@ TEST(Boxes, may_show_if_any_of_their_points_is_in_the_picture) {
 // Two patches share a border: both draw all of its vertices, or both draw every fourth.
 TEST(VisiblePatches, meet_their_neighbours_and_come_from_near_to_far) {
   constexpr int kAcross = 8;
-  std::vector<LandPatch> patches(kAcross * kAcross);
+  std::vector<sim::LandPatch> patches(kAcross * kAcross);
   for (int i = 0; i < kAcross * kAcross; ++i) {
     const glm::vec3 corner(64 * (i % kAcross - 4), 0, 64 * (i / kAcross - 4));
     patches[static_cast<std::size_t>(i)].vertices.resize(2);

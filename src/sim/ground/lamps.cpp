@@ -1,16 +1,16 @@
-#include "gfx/park/lamps.h"
+#include "sim/ground/lamps.h"
 
 #include <cmath>
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace {
 
 constexpr double kAlongTrack = 18, kAlongStation = 7, kInTunnel = 12;  // m between lamps
 constexpr double kBesideStation = 5.2, kPostHeight = 4.4;              // m
 
-glm::dvec3 left_of(const sim::TrackSample& sample) { return glm::normalize(glm::cross(sample.up, sample.forward)); }
+glm::dvec3 left_of(const TrackSample& sample) { return glm::normalize(glm::cross(sample.up, sample.forward)); }
 
-void add_posts(std::vector<Lamp>& lamps, const sim::Ground& ground, const sim::TrackSample& sample) {
+void add_posts(std::vector<Lamp>& lamps, const Ground& ground, const TrackSample& sample) {
   glm::dvec3 left = left_of(sample);
   left.y = 0;
   for (const double side : {-1.0, 1.0}) {
@@ -23,11 +23,11 @@ void add_posts(std::vector<Lamp>& lamps, const sim::Ground& ground, const sim::T
 
 }  // namespace
 
-std::vector<Lamp> lamps_of(const sim::Ground& ground) {
+std::vector<Lamp> lamps_of(const Ground& ground) {
   std::vector<Lamp> lamps;
   bool left_side = false;
-  const sim::TrackSample* before = nullptr;
-  for (const sim::TrackSample& sample : ground.samples()) {
+  const TrackSample* before = nullptr;
+  for (const TrackSample& sample : ground.samples()) {
     const double every = sample.station ? kAlongStation : sample.tunnel ? kInTunnel : kAlongTrack;
     // A lamp stands where a multiple of the spacing lies between this sample and the one before.
     const bool here = before != nullptr && std::floor(sample.distance / every) != std::floor(before->distance / every);
@@ -36,7 +36,7 @@ std::vector<Lamp> lamps_of(const sim::Ground& ground) {
     if (sample.station) {
       add_posts(lamps, ground, sample);
     } else if (sample.tunnel) {
-      const sim::TrackRoom& room = ground.room();
+      const TrackRoom& room = ground.room();
       lamps.push_back({glm::vec3(sample.at + (room.lift + 0.88 * room.tube) * sample.up), 0.7f, 0});
     } else {
       left_side = !left_side;
@@ -54,4 +54,4 @@ float lamp_light(const Lamp& lamp, glm::vec3 place, glm::vec3 normal) {
   return lamp.strength * 9 / (q + 9) * (1 - far) * (1 - far) * glm::max(facing, 0.2f);
 }
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

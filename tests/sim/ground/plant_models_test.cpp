@@ -1,10 +1,10 @@
-#include "gfx/park/plant_models.h"
+#include "sim/ground/plant_models.h"
 
 #include <map>
 
 #include <gtest/gtest.h>
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace plant_models_test {
 
 TEST(PlantModels, are_simpler_the_farther_they_are) {
@@ -12,13 +12,13 @@ TEST(PlantModels, are_simpler_the_farther_they_are) {
     std::size_t before = 1'000;
     for (std::size_t level = 0; level < kPlantLevels; ++level) {
       const std::size_t triangles =
-          plant_model(static_cast<sim::PlantKind>(kind), static_cast<PlantLevel>(level)).indices.size() / 3;
+          plant_model(static_cast<PlantKind>(kind), static_cast<PlantLevel>(level)).indices.size() / 3;
       EXPECT_LE(triangles, before) << kind << " " << level;
       before = triangles;
     }
     EXPECT_LE(before, 20u);
   }
-  for (const sim::PlantKind tree : {sim::PlantKind::conifer, sim::PlantKind::broadleaf}) {
+  for (const PlantKind tree : {PlantKind::conifer, PlantKind::broadleaf}) {
     const std::size_t near = plant_model(tree, PlantLevel::near).indices.size() / 3;
     EXPECT_GT(near, 250u);
     EXPECT_LT(near, 400u);
@@ -29,7 +29,7 @@ TEST(PlantModels, are_simpler_the_farther_they_are) {
 TEST(PlantModels, face_outwards_and_are_closed) {
   for (std::size_t kind = 0; kind < kPlantKinds; ++kind) {
     for (std::size_t level = 0; level < kPlantLevels; ++level) {
-      const PlantModel model = plant_model(static_cast<sim::PlantKind>(kind), static_cast<PlantLevel>(level));
+      const PlantModel model = plant_model(static_cast<PlantKind>(kind), static_cast<PlantLevel>(level));
       double volume = 0;
       float top = 0, wide = 0;
       std::map<std::array<float, 6>, int> edges;
@@ -49,7 +49,7 @@ TEST(PlantModels, face_outwards_and_are_closed) {
       EXPECT_LE(open, 2 * 2 * 8) << kind << " " << level << ": only the ends of a trunk";
       if (kind < 2) {
         EXPECT_GT(top, 6.5f);
-        EXPECT_LT(top, 1.05f * static_cast<float>(sim::kTreeHeight));
+        EXPECT_LT(top, 1.05f * static_cast<float>(kTreeHeight));
         EXPECT_LT(wide, 4.0f);
       } else {
         EXPECT_LT(top, 1.7f);
@@ -67,4 +67,4 @@ TEST(PlantModels, change_levels_at_their_reach) {
 }
 
 }  // namespace plant_models_test
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

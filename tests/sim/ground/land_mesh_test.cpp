@@ -1,17 +1,16 @@
-#include "gfx/park/land_mesh.h"
+#include "sim/ground/land_mesh.h"
 
 #include <algorithm>
 #include <random>
-#include <set>
 
 #include <gtest/gtest.h>
 
-#include "gfx/park/far_land.h"
-#include "gfx/park/lamps.h"
+#include "sim/ground/fixtures.h"
+#include "sim/ground/land_paint.h"
 #include "sim/solids/coaster_form.h"
 #include "sim/tracks.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace land_mesh_test {
 
 const glm::vec3 kSun = glm::normalize(glm::vec3(0.4216f, 0.7792f, 0.4638f));
@@ -21,9 +20,9 @@ const glm::vec3 kLowSun = glm::normalize(glm::vec3(-0.800f, 0.215f, -0.560f));
 struct Site {
   world::Document document = test::ring_document(12, 95, 9);
   world::Settings settings;
-  sim::DerivedTrack derived;
-  sim::Ground ground;
-  sim::Plants plants;
+  DerivedTrack derived;
+  Ground ground;
+  Plants plants;
 
   explicit Site(world::Land land = world::Land::hills) {
     document.park = world::usual_park(land, 7);
@@ -31,8 +30,8 @@ struct Site {
   }
   void update() {
     world::settle_joints(document);
-    sim::derive(document, settings, {}, derived);
-    ground.update(document, derived, sim::track_room(sim::form_of(document.kind)));
+    derive(document, settings, {}, derived);
+    ground.update(document, derived, track_room(form_of(document.kind)));
     plants.update(ground);
   }
   void move(std::size_t knot, glm::vec3 by) {
@@ -132,7 +131,7 @@ TEST(LandMesh, is_the_same_however_it_was_reached) {
     const float x = uniform(), y = uniform(), z = uniform();
     site.move(bits() % 12, {x, y, z});
     const glm::vec3 sun = i % 4 == 3 ? kLowSun : kSun;
-    const sim::Plants* const plants = i % 3 == 2 ? nullptr : &site.plants;
+    const Plants* const plants = i % 3 == 2 ? nullptr : &site.plants;
     kept.update(site.ground, plants, sun, true, {});
     LandMesh fresh;
     fresh.update(site.ground, plants, sun, true, {});
@@ -186,38 +185,51 @@ TEST(Lamps, stand_along_the_track_clear_of_it) {
   EXPECT_GT(lamps.size(), static_cast<std::size_t>(site.derived.length / 18 / 2));
   for (const Lamp& lamp : lamps) {
     double nearest = 1e9;
-    for (const sim::TrackSample& sample : site.ground.samples())
+    for (const TrackSample& sample : site.ground.samples())
       nearest = std::min(nearest, glm::distance(sample.at, glm::dvec3(lamp.at)));
     EXPECT_GT(nearest, 0.9);
     EXPECT_LT(nearest, 9);
   }
 }
 
-TEST(FarLand, continues_the_border_out_to_the_horizon) {
+TEST(Fixtures, are_lit_by_lamps_and_map_their_light) {
   const Site site;
-  const LandMesh mesh = site.mesh();
-  const FarLand far = far_land(site.ground, mesh.field());
-  // All that lies at the square's edge is a vertex of a patch.
-  const float half = 384;
-  std::set<std::array<float, 3>> border;
-  for (const LandPatch& patch : mesh.patches())
-    for (const LandVertex& vertex : patch.vertices)
-      if (std::max(std::abs(vertex.position.x), std::abs(vertex.position.z)) == half)
-        border.insert({vertex.position.x, vertex.position.y, vertex.position.z});
-  std::size_t shared = 0;
-  double area = 0;
-  for (const LandVertex& vertex : far.vertices)
-    shared += border.contains({vertex.position.x, vertex.position.y, vertex.position.z});
-  EXPECT_EQ(shared, std::size_t{4} * 96);
-  for (std::size_t i = 0; i < far.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return glm::dvec3(far.vertices[far.indices[i + k]].position); };
-    const double twice = glm::cross(at(1) - at(0), at(2) - at(0)).y;
-    EXPECT_GT(twice, 0);
-    area += 0.5 * twice;
+  const auto height = static_cast<float>(site.ground.height(40, 30));
+  const std::vector<Lamp> lamps{{glm::vec3(40, height + 4.4f, 30), 2, 4.4f}};
+  const FixtureMesh none = fixture_mesh(site.ground, {}, {}), dark = fixture_mesh(site.ground, lamps, {}),
+                    lit = fixture_mesh(site.ground, lamps, lamps);
+  ASSERT_GT(dark.vertices.size(), none.vertices.size());
+  for (std::size_t i = none.vertices.size(); i < dark.vertices.size(); ++i) {
+    EXPECT_LT(glm::distance(glm::vec2(dark.vertices[i].position.x, dark.vertices[i].position.z), {40, 30}), 0.5f);
+    EXPECT_EQ(dark.light[i].lamp, 0);
+    EXPECT_GT(lit.light[i].lamp, 0);
   }
-  const double side = 2.0 * half;
-  EXPECT_NEAR(area, side * side * (kFarthestLand * kFarthestLand - 1.0), side);
+  const std::vector<std::uint8_t> map = lamp_map(site.ground, lamps, {height, 10});
+  const auto side = static_cast<std::size_t>(768 / kLampCell);
+  const auto light = [&](double x, double z) {
+    return map[2 * (static_cast<std::size_t>((z + 384) / kLampCell) * side +
+                    static_cast<std::size_t>((x + 384) / kLampCell))];
+  };
+  EXPECT_GT(light(41, 31), 100);
+  EXPECT_EQ(light(41 + 20, 31), 0);
+}
+
+TEST(LandPaint, follows_what_lies_on_a_place) {
+  const world::Park hills = world::usual_park(world::Land::hills, 7),
+                    desert = world::usual_park(world::Land::desert, 7);
+  LandPlace place{.x = 100, .z = 40, .height = 30};
+  const glm::vec3 grass = land_paint(hills, place), sand = land_paint(desert, place);
+  EXPECT_GT(grass.y, grass.x);
+  EXPECT_GT(sand.x, sand.y);
+  place.upright = 0.3f;
+  EXPECT_LT(land_paint(hills, place).y, land_paint(hills, place).x);  // rock
+  place = {.x = 100, .z = 40, .height = 30, .wood = 1};
+  EXPECT_LT(land_paint(hills, place).y, grass.y);
+  place.earth = 1;
+  EXPECT_EQ(land_paint(hills, place), land_paint(hills, {.x = -300, .z = 7, .height = 90, .earth = 1}));
+  place = {.x = 100, .z = 40, .height = static_cast<float>(hills.water) - 5};
+  EXPECT_EQ(land_paint(hills, place), land_paint(hills, {.x = -8, .z = 3, .height = place.height}));  // a lake's bed
 }
 
 }  // namespace land_mesh_test
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

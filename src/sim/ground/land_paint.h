@@ -5,7 +5,7 @@
 
 #include "world/park.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 
 struct LandPlace {
   double x = 0, z = 0;
@@ -20,4 +20,4 @@ glm::vec3 land_paint(const world::Park& park, const LandPlace& place);
 // Returns how wooded the far land is at a place, 0..1: it has no trees.
 float far_woods(const world::Park& park, double x, double z);
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

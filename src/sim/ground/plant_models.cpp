@@ -1,4 +1,4 @@
-#include "gfx/park/plant_models.h"
+#include "sim/ground/plant_models.h"
 
 #include <cmath>
 #include <map>
@@ -6,14 +6,14 @@
 
 #include "sim/ground/noise.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace {
 
-constexpr float kTurn = 6.28318531f;
+constexpr float kWholeTurn = 6.28318531f;
 constexpr glm::vec3 kNeedles{0.050f, 0.125f, 0.050f}, kLeaves{0.110f, 0.205f, 0.045f}, kBark{0.16f, 0.105f, 0.07f},
     kBush{0.115f, 0.195f, 0.055f}, kStone{0.330f, 0.305f, 0.270f};
 
-float random(int a, int b) { return static_cast<float>(sim::random_at(a, b, 11)); }
+float random(int a, int b) { return static_cast<float>(random_at(a, b, 11)); }
 
 class ModelBuilder {
  public:
@@ -39,7 +39,7 @@ class ModelBuilder {
     std::vector<std::uint16_t> ring[2];
     for (int end = 0; end < 2; ++end)
       for (int i = 0; i < sides; ++i) {
-        const float turn = kTurn * static_cast<float>(i) / static_cast<float>(sides);
+        const float turn = kWholeTurn * static_cast<float>(i) / static_cast<float>(sides);
         const glm::vec3 out(std::cos(turn), 0, std::sin(turn));
         ring[end].push_back(vertex((end == 0 ? low : high) * out + glm::vec3(0, end == 0 ? -0.6f : height, 0), out,
                                    kBark, end == 0 ? 0.5f : 0.35f));
@@ -62,7 +62,7 @@ class ModelBuilder {
     std::vector<std::uint16_t> upper, lower;
     for (int i = 0; i < sides; ++i) {
       const float turn =
-          kTurn * (static_cast<float>(i) + 0.37f * static_cast<float>(index)) / static_cast<float>(sides);
+          kWholeTurn * (static_cast<float>(i) + 0.37f * static_cast<float>(index)) / static_cast<float>(sides);
       // Branches alternate, so that the outline is jagged.
       const float r = radius * (1 + uneven * (2 * random(i, index) - 1) - (uneven > 0.1f && i % 2 == 1 ? 0.12f : 0.0f));
       const float y = rim + 0.5f * uneven * (2 * random(i + 40, index) - 1);
@@ -207,12 +207,12 @@ PlantModel rock(PlantLevel level) {
 
 }  // namespace
 
-PlantModel plant_model(sim::PlantKind kind, PlantLevel level) {
+PlantModel plant_model(PlantKind kind, PlantLevel level) {
   switch (kind) {
-    case sim::PlantKind::conifer: return conifer(level);
-    case sim::PlantKind::broadleaf: return broadleaf(level);
-    case sim::PlantKind::bush: return bush(level);
-    case sim::PlantKind::rock: return rock(level);
+    case PlantKind::conifer: return conifer(level);
+    case PlantKind::broadleaf: return broadleaf(level);
+    case PlantKind::bush: return bush(level);
+    case PlantKind::rock: return rock(level);
   }
   return {};
 }
@@ -223,4 +223,4 @@ PlantLevel plant_level(float metres) {
   return PlantLevel::far;
 }
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "gfx/park/land_mesh.h"
+#include "sim/ground/land_mesh.h"
 #include "sim/ground/plants.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 
-inline constexpr std::size_t kPlantKinds = 4;  // of sim::PlantKind
+inline constexpr std::size_t kPlantKinds = 4;  // of PlantKind
 // Levels of detail from near to far, and how far (m) each reaches.
 enum class PlantLevel : std::uint8_t { near, fine, coarse, far };
 inline constexpr std::size_t kPlantLevels = 4;
@@ -21,9 +21,9 @@ struct PlantModel {
   std::vector<LandVertex> vertices;    // about the foot; m at size 1; closed, so that they cast shadows
   std::vector<std::uint16_t> indices;  // counter-clockwise from outside
 };
-PlantModel plant_model(sim::PlantKind kind, PlantLevel level);
+PlantModel plant_model(PlantKind kind, PlantLevel level);
 
 // Returns the level at a distance (m).
 PlantLevel plant_level(float metres);
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

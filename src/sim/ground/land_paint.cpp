@@ -1,11 +1,11 @@
-#include "gfx/park/land_paint.h"
+#include "sim/ground/land_paint.h"
 
 #include <array>
 #include <cmath>
 
 #include "sim/ground/noise.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace {
 
 // Each noise has a seed of its own, added to the park's.
@@ -73,20 +73,20 @@ float step_between(float a, float b, float x) {
 }
 
 float noise_at(const LandPlace& at, double width, std::uint32_t seed) {
-  return static_cast<float>(sim::noise(at.x / width, at.z / width, seed));
+  return static_cast<float>(noise(at.x / width, at.z / width, seed));
 }
 
 }  // namespace
 
 glm::vec3 land_paint(const world::Park& park, const LandPlace& at) {
   const LandColours& c = kColours[static_cast<std::size_t>(park.land)];
-  const auto meadows = static_cast<float>(sim::octaves(3, at.x / 45, at.z / 45, park.seed + kMeadows));
+  const auto meadows = static_cast<float>(octaves(3, at.x / 45, at.z / 45, park.seed + kMeadows));
   glm::vec3 paint = glm::mix(c.grass_dark, c.grass_bright, glm::clamp(0.5f + 0.9f * meadows, 0.0f, 1.0f));
   paint = glm::mix(paint, c.forest, 0.75f * at.wood);
   if (at.upright < c.rock_to + 0.06f) {
     const float grass = step_between(c.rock_from, c.rock_to, at.upright + 0.05f * noise_at(at, 5, park.seed + kBare));
     const auto layers =
-        static_cast<float>(sim::noise((at.x + at.z) / 18, 0.55 * static_cast<double>(at.height), park.seed + kLayers));
+        static_cast<float>(noise((at.x + at.z) / 18, 0.55 * static_cast<double>(at.height), park.seed + kLayers));
     paint = glm::mix(glm::mix(c.rock_dark, c.rock_bright, 0.5f + 0.5f * layers), paint, grass);
   }
   const auto water = static_cast<float>(park.water);
@@ -99,8 +99,8 @@ glm::vec3 land_paint(const world::Park& park, const LandPlace& at) {
 }
 
 float far_woods(const world::Park& park, double x, double z) {
-  const double noisy = 1.5 * sim::noise(x / 70, z / 70, park.seed + kFarWoods);
+  const double noisy = 1.5 * noise(x / 70, z / 70, park.seed + kFarWoods);
   return static_cast<float>(glm::clamp(0.62 * (2.2 * park.woods - 1.1 + noisy) + 0.28, 0.0, 0.9));
 }
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

@@ -10,11 +10,11 @@
 
 #include <glm/glm.hpp>
 
-#include "gfx/park/lamps.h"
 #include "sim/ground/ground.h"
+#include "sim/ground/lamps.h"
 #include "sim/ground/plants.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 
 // Returns a number of 0..1 in 1/255.
 inline std::uint8_t byte_of(float part) {
@@ -54,7 +54,7 @@ struct LandField {
 };
 
 struct LandPatch {
-  static constexpr int kSide = sim::GroundPatch::kSide;
+  static constexpr int kSide = GroundPatch::kSide;
   std::vector<LandVertex> vertices;          // kSide rows of kSide
   std::vector<LandLight> light;              // of those vertices
   std::vector<std::uint16_t> indices;        // triangles of all cells that are not open
@@ -67,8 +67,7 @@ class LandMesh {
  public:
   // Brings all patches up to date with the ground, its plants (null: none), the unit direction to the sun and the
   // lamps: a fraction of a millisecond for each patch that changed. Without `sun_shines` the light is full everywhere.
-  void update(const sim::Ground& ground, const sim::Plants* plants, glm::vec3 sun, bool sun_shines,
-              std::span<const Lamp> lamps);
+  void update(const Ground& ground, const Plants* plants, glm::vec3 sun, bool sun_shines, std::span<const Lamp> lamps);
   std::span<const LandPatch> patches() const { return patches_; }  // in the order of Ground::patches()
   const LandField& field() const { return field_; }
   std::uint64_t reset_build() const { return reset_; }  // a new number when all patches are new
@@ -86,15 +85,15 @@ class LandMesh {
     VertexRect vertices;
     bool indices = false, light = false;
   };
-  void reset(const sim::Ground& ground);
+  void reset(const Ground& ground);
   VertexRect rect_of(std::size_t patch) const;
-  std::vector<Key> keys_of(const sim::Ground& ground, const sim::Plants* plants) const;
-  VertexRect take_heights(const sim::GroundPatch& patch, const VertexRect& rect);
-  VertexRect take_cover(const sim::Ground& ground, const sim::Plants* plants, const VertexRect& rect);
+  std::vector<Key> keys_of(const Ground& ground, const Plants* plants) const;
+  VertexRect take_heights(const GroundPatch& patch, const VertexRect& rect);
+  VertexRect take_cover(const Ground& ground, const Plants* plants, const VertexRect& rect);
   void mark(const VertexRect& rect);
   void mark_shaded(const VertexRect& rect, float above);
   void mark_lamps(std::span<const Lamp> lamps);
-  void build(const sim::Ground& ground, std::size_t patch);
+  void build(const Ground& ground, std::size_t patch);
   void bake(std::size_t patch);
 
   world::Park park_;
@@ -110,4 +109,4 @@ class LandMesh {
   std::uint64_t build_ = 0, reset_ = 0;
 };
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

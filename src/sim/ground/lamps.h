@@ -8,7 +8,7 @@
 
 #include "sim/ground/ground.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 
 struct Lamp {
   glm::vec3 at{0};  // m
@@ -20,9 +20,9 @@ inline constexpr float kLampReach = 26;  // m
 // Its light, of the colour (1, 0.62, 0.30).
 inline constexpr glm::vec3 kLampLight{1, 0.62f, 0.30f};
 
-std::vector<Lamp> lamps_of(const sim::Ground& ground);
+std::vector<Lamp> lamps_of(const Ground& ground);
 
 // Returns the light of a lamp at a place with a unit normal; 0 beyond kLampReach.
 float lamp_light(const Lamp& lamp, glm::vec3 place, glm::vec3 normal);
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

@@ -1,4 +1,4 @@
-#include "gfx/park/fixtures.h"
+#include "sim/ground/fixtures.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 
 #include "sim/ground/tunnel_mesh.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace {
 
-LandVertex vertex_of(const sim::EarthVertex& from) {
+LandVertex vertex_of(const EarthVertex& from) {
   LandVertex vertex;
   vertex.position = from.position;
   for (int i = 0; i < 3; ++i) {
@@ -21,7 +21,7 @@ LandVertex vertex_of(const sim::EarthVertex& from) {
 }
 
 // Adds an upright box without a bottom.
-void add_box(sim::EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 paint) {
+void add_post_box(EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 paint) {
   const auto corner = [&](int i) {
     return glm::vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
   };
@@ -42,21 +42,22 @@ void add_box(sim::EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 pain
 }
 
 // Adds the earth below and beside the cells that are left open at a portal, so that no sky shows through them.
-void add_pit(sim::EarthMesh& mesh, const sim::Ground& ground, const sim::TunnelGate& gate) {
-  constexpr glm::vec3 kEarth{0.30f, 0.23f, 0.15f};
+void add_pit(EarthMesh& mesh, const Ground& ground, const TunnelGate& gate) {
+  constexpr glm::vec3 kPitEarth{0.30f, 0.23f, 0.15f};
   constexpr int kReach = 6;  // cells about the gate
-  const sim::TrackRoom& room = ground.room();
+  const TrackRoom& room = ground.room();
   const double cell = world::kGroundCell, floor = gate.at.y + room.lift - room.tube - 0.5;
   const auto add = [&](const std::array<glm::dvec3, 4>& corners, glm::dvec3 normal, float ambient) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const glm::dvec3& at : corners) mesh.vertices.push_back({glm::vec3(at), glm::vec3(normal), kEarth, ambient});
+    for (const glm::dvec3& at : corners)
+      mesh.vertices.push_back({glm::vec3(at), glm::vec3(normal), kPitEarth, ambient});
     for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
   };
   const int column = static_cast<int>(std::floor(gate.at.x / cell)),
             row = static_cast<int>(std::floor(gate.at.z / cell));
   for (int z = row - kReach; z <= row + kReach; ++z) {
     for (int x = column - kReach; x <= column + kReach; ++x) {
-      if (!sim::is_open(ground, {x, z})) continue;
+      if (!is_open(ground, {x, z})) continue;
       const auto corner = [&](int dx, int dz) { return glm::dvec2(cell * (x + dx), cell * (z + dz)); };
       const auto at = [&](glm::dvec2 p, double y) { return glm::dvec3(p.x, y, p.y); };
       add({at(corner(0, 0), floor), at(corner(0, 1), floor), at(corner(1, 1), floor), at(corner(1, 0), floor)},
@@ -65,7 +66,7 @@ void add_pit(sim::EarthMesh& mesh, const sim::Ground& ground, const sim::TunnelG
       const std::array<std::array<int, 6>, 4> sides{
           {{-1, 0, 0, 0, 0, 1}, {1, 0, 1, 0, 1, 1}, {0, -1, 0, 0, 1, 0}, {0, 1, 0, 1, 1, 1}}};
       for (const auto& [dx, dz, ax, az, bx, bz] : sides) {
-        if (sim::is_open(ground, {x + dx, z + dz})) continue;
+        if (is_open(ground, {x + dx, z + dz})) continue;
         const glm::dvec2 a = corner(ax, az), b = corner(bx, bz), middle = 0.5 * (a + b);
         const glm::dvec2 from = middle - glm::dvec2(gate.at.x, gate.at.z);
         const bool at_tube = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x) < room.tube + 0.3;
@@ -80,20 +81,20 @@ void add_pit(sim::EarthMesh& mesh, const sim::Ground& ground, const sim::TunnelG
 
 }  // namespace
 
-FixtureMesh fixture_mesh(const sim::Ground& ground, std::span<const Lamp> posts, std::span<const Lamp> lit) {
+FixtureMesh fixture_mesh(const Ground& ground, std::span<const Lamp> posts, std::span<const Lamp> lit) {
   constexpr glm::vec3 kPost{0.045f, 0.055f, 0.060f}, kGlass{0.75f, 0.70f, 0.55f};
-  sim::EarthMesh earth = sim::tunnel_mesh(ground);
-  for (const sim::TunnelGate& gate : ground.gates()) add_pit(earth, ground, gate);
+  EarthMesh earth = tunnel_mesh(ground);
+  for (const TunnelGate& gate : ground.gates()) add_pit(earth, ground, gate);
   for (const Lamp& lamp : posts) {
     if (lamp.post <= 0) continue;
     const glm::vec3 foot = lamp.at - glm::vec3(0, lamp.post + 0.3f, 0);
-    add_box(earth, foot - glm::vec3(0.07f, 0, 0.07f), lamp.at + glm::vec3(0.07f, -0.2f, 0.07f), kPost);
-    add_box(earth, lamp.at - glm::vec3(0.18f, 0.2f, 0.18f), lamp.at + glm::vec3(0.18f, 0.2f, 0.18f), kGlass);
-    add_box(earth, lamp.at + glm::vec3(-0.26f, 0.2f, -0.26f), lamp.at + glm::vec3(0.26f, 0.3f, 0.26f), kPost);
+    add_post_box(earth, foot - glm::vec3(0.07f, 0, 0.07f), lamp.at + glm::vec3(0.07f, -0.2f, 0.07f), kPost);
+    add_post_box(earth, lamp.at - glm::vec3(0.18f, 0.2f, 0.18f), lamp.at + glm::vec3(0.18f, 0.2f, 0.18f), kGlass);
+    add_post_box(earth, lamp.at + glm::vec3(-0.26f, 0.2f, -0.26f), lamp.at + glm::vec3(0.26f, 0.3f, 0.26f), kPost);
   }
   FixtureMesh mesh;
   mesh.indices = std::move(earth.indices);
-  for (const sim::EarthVertex& vertex : earth.vertices) {
+  for (const EarthVertex& vertex : earth.vertices) {
     mesh.vertices.push_back(vertex_of(vertex));
     float sum = 0;
     for (const Lamp& lamp : lit) sum += lamp_light(lamp, vertex.position, vertex.normal);
@@ -102,7 +103,7 @@ FixtureMesh fixture_mesh(const sim::Ground& ground, std::span<const Lamp> posts,
   return mesh;
 }
 
-std::vector<std::uint8_t> lamp_map(const sim::Ground& ground, std::span<const Lamp> lamps, glm::vec2 heights) {
+std::vector<std::uint8_t> lamp_map(const Ground& ground, std::span<const Lamp> lamps, glm::vec2 heights) {
   const int side = static_cast<int>(ground.tiles_across() * world::kGroundTileCells * world::kGroundCell / kLampCell);
   const auto cells = static_cast<std::size_t>(side * side);
   std::vector<float> light(cells), height(cells);
@@ -133,4 +134,4 @@ std::vector<std::uint8_t> lamp_map(const sim::Ground& ground, std::span<const La
   return texels;
 }
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim

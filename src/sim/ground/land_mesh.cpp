@@ -1,4 +1,4 @@
-#include "gfx/park/land_mesh.h"
+#include "sim/ground/land_mesh.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "gfx/park/land_paint.h"
+#include "sim/ground/land_paint.h"
 #include "sim/ground/noise.h"
 #include "sim/ground/tunnel_mesh.h"
 
-namespace coaster::gfx {
+namespace coaster::sim {
 namespace {
 
-constexpr int kCells = world::kGroundTileCells;
-constexpr auto kCell = static_cast<float>(world::kGroundCell);  // m
-constexpr int kSkyReach = 12;                                   // cells up to which land takes light of the sky
-constexpr float kSunReach = 370;                                // m up to which land casts shadows
-constexpr double kEarthReach = 5;                               // m
-constexpr float kCrownReach = 7;                                // m
+constexpr int kPatchCells = world::kGroundTileCells;
+constexpr auto kCellSide = static_cast<float>(world::kGroundCell);  // m
+constexpr int kSkyReach = 12;                                       // cells up to which land takes light of the sky
+constexpr float kSunReach = 370;                                    // m up to which land casts shadows
+constexpr double kEarthReach = 5;                                   // m
+constexpr float kCrownReach = 7;                                    // m
 constexpr std::uint32_t kEarthNoise = 34;
 
 std::uint64_t mixed_key(std::uint64_t key, std::uint64_t value) {
@@ -30,7 +30,7 @@ std::uint64_t mixed_key(std::uint64_t key, glm::dvec3 at) {
   return key;
 }
 
-float smooth(float a, float b, float x) { return static_cast<float>(sim::smooth_step(a, b, x)); }
+float smooth(float a, float b, float x) { return static_cast<float>(smooth_step(a, b, x)); }
 
 // The part of the sky that a vertex sees, 0..1, by the steepest slopes around it.
 float open_sky(const LandField& field, int x, int z) {
@@ -39,7 +39,7 @@ float open_sky(const LandField& field, int x, int z) {
   const float here = field.height(x, z);
   float open = 0;
   for (int way = 0; way < 8; ++way) {
-    const float length = kCell * (way % 2 == 0 ? 1.0f : 1.41421356f);
+    const float length = kCellSide * (way % 2 == 0 ? 1.0f : 1.41421356f);
     float steepest = 0;
     for (const int step : kSteps) {
       const float rise = field.height(x + step * kWays[way][0], z + step * kWays[way][1]) - here;
@@ -65,10 +65,10 @@ float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float high
   const float level = std::sqrt(sun.x * sun.x + sun.z * sun.z);
   if (level < 1e-3f || sun.y <= 0) return 1;
   const float start = from.y, rise = sun.y / level;
-  const glm::vec2 way = glm::vec2(sun.x, sun.z) / (level * kCell);  // cells per metre
+  const glm::vec2 way = glm::vec2(sun.x, sun.z) / (level * kCellSide);  // cells per metre
   float run = 0, lit = 1, crowns = 0;
   for (int i = 0; i < 64 && lit > 0; ++i) {
-    run += kCell * (1 + 0.06f * static_cast<float>(i));
+    run += kCellSide * (1 + 0.06f * static_cast<float>(i));
     const float ray = start + rise * run;
     if (ray > highest + 7 || run > kSunReach) break;
     const float x = from.x + run * way.x, z = from.z + run * way.y;
@@ -100,9 +100,9 @@ std::size_t LandField::at(int x, int z) const {
 }
 
 VertexRect LandMesh::rect_of(std::size_t patch) const {
-  const int tiles = field_.across / kCells, i = static_cast<int>(patch);
-  const int x = i % tiles * kCells, z = i / tiles * kCells;
-  return {x, z, x + kCells, z + kCells};
+  const int tiles = field_.across / kPatchCells, i = static_cast<int>(patch);
+  const int x = i % tiles * kPatchCells, z = i / tiles * kPatchCells;
+  return {x, z, x + kPatchCells, z + kPatchCells};
 }
 
 LandLight LandMesh::light_at(double x, double z) const {
@@ -110,20 +110,20 @@ LandLight LandMesh::light_at(double x, double z) const {
   const auto vertex = [&](double v) {
     return std::clamp(static_cast<int>(std::floor(v / world::kGroundCell + 0.5)) + field_.across / 2, 0, field_.across);
   };
-  const int column = vertex(x), row = vertex(z), tiles = field_.across / kCells;
-  const int px = std::min(column / kCells, tiles - 1), pz = std::min(row / kCells, tiles - 1);
+  const int column = vertex(x), row = vertex(z), tiles = field_.across / kPatchCells;
+  const int px = std::min(column / kPatchCells, tiles - 1), pz = std::min(row / kPatchCells, tiles - 1);
   const LandPatch& patch = patches_[static_cast<std::size_t>(pz * tiles + px)];
-  return patch.light[static_cast<std::size_t>((row - pz * kCells) * LandPatch::kSide + column - px * kCells)];
+  return patch.light[static_cast<std::size_t>((row - pz * kPatchCells) * LandPatch::kSide + column - px * kPatchCells)];
 }
 
 float LandMesh::sun_over(glm::vec3 place) const {
   if (!sun_shines_ || patches_.empty()) return 1;
   const float half = 0.5f * static_cast<float>(field_.across);
-  return sunlight(field_, {place.x / kCell + half, place.y, place.z / kCell + half}, sun_, highest_, false);
+  return sunlight(field_, {place.x / kCellSide + half, place.y, place.z / kCellSide + half}, sun_, highest_, false);
 }
 
-void LandMesh::reset(const sim::Ground& ground) {
-  field_.across = ground.tiles_across() * kCells;
+void LandMesh::reset(const Ground& ground) {
+  field_.across = ground.tiles_across() * kPatchCells;
   const auto all = static_cast<std::size_t>(field_.side() * field_.side());
   field_.heights.assign(all, 0);
   field_.wood.assign(all, 0);
@@ -140,21 +140,21 @@ void LandMesh::reset(const sim::Ground& ground) {
 }
 
 // What each patch depends on, besides the heights of its neighbours.
-std::vector<LandMesh::Key> LandMesh::keys_of(const sim::Ground& ground, const sim::Plants* plants) const {
+std::vector<LandMesh::Key> LandMesh::keys_of(const Ground& ground, const Plants* plants) const {
   std::vector<Key> keys(patches_.size());
   const int tiles = ground.tiles_across(), half = tiles / 2;
-  constexpr double kTile = kCells * world::kGroundCell;
+  constexpr double kTileSide = kPatchCells * world::kGroundCell;
   const auto mark = [&](glm::dvec3 at, double reach, glm::dvec3 value) {
-    const auto tile = [&](double v) { return static_cast<int>(std::floor(v / kTile)) + half; };
+    const auto tile = [&](double v) { return static_cast<int>(std::floor(v / kTileSide)) + half; };
     for (int z = std::max(tile(at.z - reach), 0); z <= std::min(tile(at.z + reach), tiles - 1); ++z)
       for (int x = std::max(tile(at.x - reach), 0); x <= std::min(tile(at.x + reach), tiles - 1); ++x) {
         std::uint64_t& key = keys[static_cast<std::size_t>(z * tiles + x)].track;
         key = mixed_key(key, value);
       }
   };
-  for (const sim::TrackSample& sample : ground.samples())
+  for (const TrackSample& sample : ground.samples())
     if (!sample.tunnel) mark(sample.at, kEarthReach, sample.at);
-  for (const sim::TunnelGate& gate : ground.gates())
+  for (const TunnelGate& gate : ground.gates())
     mark(gate.at, 10, gate.at + glm::dvec3(gate.inwards.x, 1, gate.inwards.y));
   for (std::size_t i = 0; i < keys.size(); ++i) {
     keys[i].ground = ground.patches()[i].build;
@@ -168,7 +168,7 @@ std::vector<LandMesh::Key> LandMesh::keys_of(const sim::Ground& ground, const si
 }
 
 // Copies a patch's heights to the field and returns where they differ.
-VertexRect LandMesh::take_heights(const sim::GroundPatch& patch, const VertexRect& rect) {
+VertexRect LandMesh::take_heights(const GroundPatch& patch, const VertexRect& rect) {
   VertexRect changed;
   for (int z = rect.z0; z <= rect.z1; ++z) {
     for (int x = rect.x0; x <= rect.x1; ++x) {
@@ -182,25 +182,25 @@ VertexRect LandMesh::take_heights(const sim::GroundPatch& patch, const VertexRec
 }
 
 // Finds the shade of crowns and earth under low track for a patch, and returns where they differ.
-VertexRect LandMesh::take_cover(const sim::Ground& ground, const sim::Plants* plants, const VertexRect& rect) {
+VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, const VertexRect& rect) {
   constexpr int kSide = LandPatch::kSide;
   std::array<float, std::size_t{kSide} * kSide> wood{}, earth{};
   const float half = 0.5f * static_cast<float>(field_.across);
-  const glm::vec2 corner = kCell * (glm::vec2(rect.x0, rect.z0) - half);
+  const glm::vec2 corner = kCellSide * (glm::vec2(rect.x0, rect.z0) - half);
   const auto near = [&](glm::vec2 at, float reach, auto&& visit) {
-    const glm::vec2 from = (at - reach - corner) / kCell, to = (at + reach - corner) / kCell;
+    const glm::vec2 from = (at - reach - corner) / kCellSide, to = (at + reach - corner) / kCellSide;
     for (int z = std::max(static_cast<int>(std::ceil(from.y)), 0);
-         z <= std::min(static_cast<int>(to.y), kCells) && to.y >= 0; ++z)
+         z <= std::min(static_cast<int>(to.y), kPatchCells) && to.y >= 0; ++z)
       for (int x = std::max(static_cast<int>(std::ceil(from.x)), 0);
-           x <= std::min(static_cast<int>(to.x), kCells) && to.x >= 0; ++x)
-        visit(static_cast<std::size_t>(z * kSide + x), corner + kCell * glm::vec2(x, z));
+           x <= std::min(static_cast<int>(to.x), kPatchCells) && to.x >= 0; ++x)
+        visit(static_cast<std::size_t>(z * kSide + x), corner + kCellSide * glm::vec2(x, z));
   };
-  const int tiles = field_.across / kCells, px = rect.x0 / kCells, pz = rect.z0 / kCells;
+  const int tiles = field_.across / kPatchCells, px = rect.x0 / kPatchCells, pz = rect.z0 / kPatchCells;
   for (int z = std::max(pz - 1, 0); plants && z <= std::min(pz + 1, tiles - 1); ++z) {
     for (int x = std::max(px - 1, 0); x <= std::min(px + 1, tiles - 1); ++x) {
-      for (const sim::Plant& plant : plants->of(static_cast<std::size_t>(z * tiles + x))) {
-        if (plant.kind == sim::PlantKind::rock) continue;
-        const bool tree = plant.kind != sim::PlantKind::bush;
+      for (const Plant& plant : plants->of(static_cast<std::size_t>(z * tiles + x))) {
+        if (plant.kind == PlantKind::rock) continue;
+        const bool tree = plant.kind != PlantKind::bush;
         const float reach = (tree ? 4.5f : 2.0f) * plant.size, much = tree ? 0.55f : 0.4f;
         const glm::vec2 foot(plant.foot.x, plant.foot.z);
         near(foot, reach,
@@ -209,12 +209,12 @@ VertexRect LandMesh::take_cover(const sim::Ground& ground, const sim::Plants* pl
     }
   }
   const std::uint32_t seed = park_.seed + kEarthNoise;
-  for (const sim::TrackSample& sample : ground.samples()) {
+  for (const TrackSample& sample : ground.samples()) {
     if (sample.tunnel) continue;
     const glm::vec2 foot(static_cast<float>(sample.at.x), static_cast<float>(sample.at.z));
     near(foot, static_cast<float>(kEarthReach), [&](std::size_t i, glm::vec2 at) {
       const float height = field_.height(rect.x0 + static_cast<int>(i) % kSide, rect.z0 + static_cast<int>(i) / kSide);
-      const float uneven = 0.8f * static_cast<float>(sim::noise(double{at.x} / 3, double{at.y} / 3, seed));
+      const float uneven = 0.8f * static_cast<float>(noise(double{at.x} / 3, double{at.y} / 3, seed));
       const float away =
           glm::distance(at, foot) + uneven + 4 * smooth(3, 8, static_cast<float>(sample.at.y) - 2 - height);
       earth[i] = std::max(earth[i], 1 - smooth(1.6f, 3.4f, away));
@@ -248,7 +248,7 @@ void LandMesh::mark_shaded(const VertexRect& rect, float above) {
   const float level = std::sqrt(sun_.x * sun_.x + sun_.z * sun_.z);
   VertexRect shaded = rect.grown(2);
   if (level > 1e-3f) {
-    const float length = std::min(above * level / std::max(sun_.y, 1e-3f), kSunReach) / kCell;
+    const float length = std::min(above * level / std::max(sun_.y, 1e-3f), kSunReach) / kCellSide;
     const int x = static_cast<int>(-sun_.x / level * length), z = static_cast<int>(-sun_.z / level * length);
     shaded.add(VertexRect{rect.x0 + x, rect.z0 + z, rect.x1 + x, rect.z1 + z}.grown(2));
   }
@@ -263,8 +263,8 @@ void LandMesh::mark_lamps(std::span<const Lamp> lamps) {
   const float half = 0.5f * static_cast<float>(field_.across);
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const VertexRect rect = rect_of(i);
-    const glm::vec2 low = kCell * (glm::vec2(rect.x0, rect.z0) - half) - kLampReach,
-                    high = kCell * (glm::vec2(rect.x1, rect.z1) - half) + kLampReach;
+    const glm::vec2 low = kCellSide * (glm::vec2(rect.x0, rect.z0) - half) - kLampReach,
+                    high = kCellSide * (glm::vec2(rect.x1, rect.z1) - half) + kLampReach;
     std::uint64_t key = 0;
     for (const Lamp& lamp : lamps)
       if (lamp.at.x > low.x && lamp.at.x < high.x && lamp.at.z > low.y && lamp.at.z < high.y)
@@ -273,7 +273,7 @@ void LandMesh::mark_lamps(std::span<const Lamp> lamps) {
   }
 }
 
-void LandMesh::build(const sim::Ground& ground, std::size_t patch) {
+void LandMesh::build(const Ground& ground, std::size_t patch) {
   const VertexRect all = rect_of(patch), rect = stale_[patch].vertices;
   LandPatch& made = patches_[patch];
   const float half = 0.5f * static_cast<float>(field_.across);
@@ -281,10 +281,12 @@ void LandMesh::build(const sim::Ground& ground, std::size_t patch) {
     for (int x = rect.x0; x <= rect.x1; ++x) {
       const std::size_t at = field_.at(x, z);
       const float height = field_.heights[at], wood = static_cast<float>(field_.wood[at]) / 255;
-      const glm::vec3 normal = glm::normalize(glm::vec3(field_.height(x - 1, z) - field_.height(x + 1, z), 2 * kCell,
-                                                        field_.height(x, z - 1) - field_.height(x, z + 1)));
+      const glm::vec3 normal =
+          glm::normalize(glm::vec3(field_.height(x - 1, z) - field_.height(x + 1, z), 2 * kCellSide,
+                                   field_.height(x, z - 1) - field_.height(x, z + 1)));
       LandVertex& vertex = made.vertices[static_cast<std::size_t>((z - all.z0) * LandPatch::kSide + x - all.x0)];
-      vertex.position = {kCell * (static_cast<float>(x) - half), height, kCell * (static_cast<float>(z) - half)};
+      vertex.position = {kCellSide * (static_cast<float>(x) - half), height,
+                         kCellSide * (static_cast<float>(z) - half)};
       const glm::vec3 paint = land_paint(park_, {double{vertex.position.x}, double{vertex.position.z}, height, normal.y,
                                                  wood, static_cast<float>(field_.earth[at]) / 255});
       for (int i = 0; i < 3; ++i) {
@@ -298,10 +300,10 @@ void LandMesh::build(const sim::Ground& ground, std::size_t patch) {
   if (!stale_[patch].indices) return;
   made.indices.clear();
   made.open = false;
-  for (int z = 0; z < kCells; ++z) {
-    for (int x = 0; x < kCells; ++x) {
+  for (int z = 0; z < kPatchCells; ++z) {
+    for (int x = 0; x < kPatchCells; ++x) {
       const int column = all.x0 + x - field_.across / 2, row = all.z0 + z - field_.across / 2;
-      if (sim::is_open(ground, {column, row})) {
+      if (is_open(ground, {column, row})) {
         made.open = true;
         continue;
       }
@@ -321,10 +323,10 @@ void LandMesh::bake(std::size_t patch) {
   LandPatch& made = patches_[patch];
   const float half = 0.5f * static_cast<float>(field_.across);
   std::vector<const Lamp*> near;
-  const glm::vec2 middle = kCell * (0.5f * glm::vec2(all.x0 + all.x1, all.z0 + all.z1) - half);
+  const glm::vec2 middle = kCellSide * (0.5f * glm::vec2(all.x0 + all.x1, all.z0 + all.z1) - half);
   for (const Lamp& lamp : lamps_)
     if (glm::all(glm::lessThan(glm::abs(glm::vec2(lamp.at.x, lamp.at.z) - middle),
-                               glm::vec2(kLampReach + 0.5f * kCell * kCells))))
+                               glm::vec2(kLampReach + 0.5f * kCellSide * kPatchCells))))
       near.push_back(&lamp);
   for (int z = all.z0; z <= all.z1; ++z) {
     for (int x = all.x0; x <= all.x1; ++x) {
@@ -341,11 +343,11 @@ void LandMesh::bake(std::size_t patch) {
   }
 }
 
-void LandMesh::update(const sim::Ground& ground, const sim::Plants* plants, glm::vec3 sun, bool sun_shines,
+void LandMesh::update(const Ground& ground, const Plants* plants, glm::vec3 sun, bool sun_shines,
                       std::span<const Lamp> lamps) {
   const world::Park& park = ground.land().park();
   const bool other = park.land != park_.land || park.seed != park_.seed || park.water != park_.water;
-  if (other || field_.across != ground.tiles_across() * kCells) park_ = park, reset(ground);
+  if (other || field_.across != ground.tiles_across() * kPatchCells) park_ = park, reset(ground);
   if (sun != sun_ || sun_shines != sun_shines_) {
     sun_ = sun, sun_shines_ = sun_shines;
     for (Stale& stale : stale_) stale.light = true;
@@ -366,7 +368,7 @@ void LandMesh::update(const sim::Ground& ground, const sim::Plants* plants, glm:
     if (!covered.empty()) shaded.emplace_back(covered, above + kCrownReach);
   }
   lowest_ = highest_ = 0;
-  for (const sim::GroundPatch& patch : ground.patches())
+  for (const GroundPatch& patch : ground.patches())
     lowest_ = std::min(lowest_, patch.low), highest_ = std::max(highest_, patch.high);
   for (const auto& [rect, above] : shaded) mark_shaded(rect, above - lowest_);
   mark_lamps(lamps);
@@ -385,4 +387,4 @@ void LandMesh::update(const sim::Ground& ground, const sim::Plants* plants, glm:
   });
 }
 
-}  // namespace coaster::gfx
+}  // namespace coaster::sim
