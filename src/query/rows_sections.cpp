@@ -185,7 +185,7 @@ constexpr Query kElementRows[]{
      or_none()},
     {"element.lead", "m", "Length of its lead-in, which eases the curvature of the open end and levels it.",
      of_plan<&sim::ElementPlan::lead>, or_none()},
-    {"element.lowest", "m", "Lowest height of its rails above the ground.", of_plan<&sim::ElementPlan::lowest>,
+    {"element.lowest", "m", "Lowest height (y) of its rails.", of_plan<&sim::ElementPlan::lowest>,
      or_none()},
     {"element.missing", "m", "Clearance missing between it and other track; 0 if there is enough.", missing, or_none()},
     {"element.refusal", "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
