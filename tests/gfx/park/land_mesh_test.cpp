@@ -8,6 +8,7 @@
 
 #include "gfx/park/far_land.h"
 #include "gfx/park/lamps.h"
+#include "sim/lands.h"
 #include "sim/solids/coaster_form.h"
 #include "sim/tracks.h"
 
@@ -164,6 +165,74 @@ TEST(LandMesh, lies_in_the_sun_where_a_ray_to_it_meets_no_land) {
   EXPECT_GT(lit, 100);
   EXPECT_LT(too_dark, lit / 25);
   EXPECT_LT(too_lit, dark / 25);
+}
+
+TEST(LandMesh, sees_less_of_the_sky_in_a_valley) {
+  Site site;
+  site.document = test::ring_document(12, 95, 400);  // far above
+  test::shape_land(site.document, [](double x, double) { return 2 * std::abs(x); });
+  site.update();
+  const LandMesh mesh = site.mesh();
+  const LandField& field = mesh.field();
+  int seen = 0;
+  for (const LandPatch& patch : mesh.patches()) {
+    for (const LandVertex& vertex : patch.vertices) {
+      if (std::abs(vertex.position.z) > 60 || vertex.position.x != 0) continue;
+      // The sides rise by 2 across the valley, by the square root of 2 halfway, and not at all along it: of the sky
+      // 1/5, 1/3 and all are left.
+      const float open = (2 * (1 / 5.0f) + 4 * (1 / 3.0f) + 2) / 8;
+      const auto half = static_cast<int>(field.across / 2);
+      const float wood =
+          static_cast<float>(field.wood[field.at(half, half + static_cast<int>(vertex.position.z / 2))]) / 255;
+      EXPECT_NEAR(vertex.paint[3], 255 * (0.30f + 0.70f * open) * (1 - 0.35f * wood), 1.01);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 50);
+}
+
+TEST(LandMesh, sees_less_of_the_sky_between_walls_some_way_off) {
+  Site site;
+  site.document = test::ring_document(12, 95, 400);
+  test::shape_land(site.document, [](double x, double) { return std::abs(x) > 9 ? 40 : 0; });
+  site.update();
+  LandMesh mesh;
+  mesh.update(site.ground, nullptr, kSun, true, {});
+  int seen = 0;
+  for (const LandPatch& patch : mesh.patches())
+    for (const LandVertex& vertex : patch.vertices)
+      if (std::abs(vertex.position.z) < 60 && vertex.position.x == 0) EXPECT_LT(vertex.paint[3], 190), ++seen;
+  EXPECT_GT(seen, 50);
+}
+
+TEST(LandMesh, is_shaded_by_single_plants_in_part) {
+  const Site site;
+  const LandMesh mesh = site.mesh();
+  const LandField& field = mesh.field();
+  int trees = 0, bushes = 0;
+  for (std::size_t i = 0; i < site.plants.patches(); ++i) {
+    for (const sim::Plant& plant : site.plants.of(i)) {
+      const auto near = [&](const sim::Plant& other) {
+        return &other != &plant && other.kind != sim::PlantKind::rock &&
+               glm::distance(glm::vec2(other.foot.x, other.foot.z), glm::vec2(plant.foot.x, plant.foot.z)) < 12;
+      };
+      const bool tree = plant.kind != sim::PlantKind::bush;
+      bool alone = plant.kind != sim::PlantKind::rock && (tree ? trees < 12 : bushes < 4);
+      for (std::size_t k = 0; alone && k < site.plants.patches(); ++k)
+        alone = std::ranges::none_of(site.plants.of(k), near);
+      if (!alone) continue;
+      std::uint8_t most = 0;
+      const auto cell = [&](float v) { return static_cast<int>(std::lround(v / 2)) + field.across / 2; };
+      for (int z = -3; z <= 3; ++z)
+        for (int x = -3; x <= 3; ++x)
+          most = std::max(most, field.wood[field.at(cell(plant.foot.x) + x, cell(plant.foot.z) + z)]);
+      EXPECT_LE(most, tree ? 141 : 102) << "of 255";
+      if (tree) EXPECT_GT(most, 70);
+      (tree ? trees : bushes) += 1;
+    }
+  }
+  EXPECT_GT(trees, 0);
+  EXPECT_GT(bushes, 0);
 }
 
 TEST(LandMesh, is_lit_by_lamps_within_their_reach) {

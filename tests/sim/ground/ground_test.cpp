@@ -231,6 +231,26 @@ TEST(Ground, keeps_the_hill_over_a_tunnel) {
   EXPECT_LE(ridge.ground.height(ridge.ground.gates()[0].at.x - 1, 0), 2 - kRoom.below + 0.7);
 }
 
+// The hill leans back from a portal, behind it and on both sides, and is whole some way off.
+TEST(Ground, rises_behind_and_beside_a_portal) {
+  Ridge ridge(24, 60, 2);
+  ASSERT_EQ(ridge.ground.gates().size(), 2u);
+  for (const TunnelGate& gate : ridge.ground.gates()) {
+    const auto height = [&](double behind, double aside) {
+      return ridge.ground.height(gate.at.x + behind * gate.inwards.x, aside);
+    };
+    EXPECT_LT(height(4, 0), 12);
+    EXPECT_GT(height(12, 0), height(4, 0) + 4);
+    EXPECT_LT(height(14, 0), 20);
+    for (const double side : {-1.0, 1.0}) {
+      EXPECT_GT(height(4, 16 * side), height(4, 0) + 3) << side;
+      EXPECT_GT(height(14, 16 * side), 22) << side;
+      EXPECT_NEAR(height(6, 34 * side), 24, 1e-3) << side;
+    }
+    EXPECT_NEAR(height(30, 0), 24, 1e-3);
+  }
+}
+
 TEST(Ground, covers_every_tunnel_and_uncovers_every_other_track) {
   for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(test::tries(20)); ++seed) {
     world::Document document = circuit(seed);
@@ -350,6 +370,24 @@ TEST(TunnelMesh, lets_trains_through_and_hides_the_hill) {
   EXPECT_LE(holes, 40);
 }
 
+// A portal is a wall across the track, which faces those who come.
+TEST(TunnelMesh, has_portals_across_the_track) {
+  const Ridge ridge(14, 50, 2);
+  const EarthMesh mesh = tunnel_mesh(ridge.ground);
+  for (const TunnelGate& gate : ridge.ground.gates()) {
+    const glm::dvec3 in(gate.inwards.x, 0, gate.inwards.y);
+    double left = 0, right = 0, top = 0;
+    for (const EarthVertex& v : mesh.vertices) {
+      const glm::dvec3 from = glm::dvec3(v.position) - gate.at;
+      if (glm::dot(glm::dvec3(v.normal), in) > -0.99 || std::abs(glm::dot(from, in)) > 3) continue;
+      left = std::max(left, from.z), right = std::min(right, from.z), top = std::max(top, from.y);
+    }
+    EXPECT_GT(left, kRoom.tube);
+    EXPECT_LT(right, -kRoom.tube);
+    EXPECT_GT(top, kRoom.lift + kRoom.tube);
+  }
+}
+
 // Clear of track, stations, water and steep slopes, whatever the seed.
 TEST(Plants, keep_clear_and_stay_where_they_are) {
   for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(test::tries(6)); ++seed) {
@@ -420,6 +458,56 @@ TEST(Plants, are_more_where_woods_are_more_and_none_where_a_brush_cleared_them) 
     for (const Plant& plant : plants.of(i))
       if (plant.foot.x > 128 && plant.foot.x < 192 && plant.foot.z > 128 && plant.foot.z < 192)
         EXPECT_EQ(plant.kind, PlantKind::rock);
+}
+
+// Woods of middling density have thickets and clearings, on level land, too.
+TEST(Plants, grow_in_thickets_with_clearings_between) {
+  world::Document document;
+  document.park = world::usual_park(world::Land::meadow, 3);
+  document.park.relief = 0, document.park.water = world::kNoWater, document.park.woods = 0.5;
+  DerivedTrack derived;
+  derive(document, {}, {}, derived);
+  Ground ground;
+  Plants plants;
+  ground.update(document, derived, kRoom);
+  plants.update(ground);
+  constexpr int kPlots = 24;  // across, of 32 m
+  std::vector<int> trees(kPlots * kPlots);
+  for (std::size_t i = 0; i < plants.patches(); ++i)
+    for (const Plant& plant : plants.of(i))
+      if (plant.kind == PlantKind::broadleaf || plant.kind == PlantKind::conifer)
+        ++trees[static_cast<std::size_t>(static_cast<int>(plant.foot.z / 32 + kPlots / 2) * kPlots +
+                                         static_cast<int>(plant.foot.x / 32 + kPlots / 2))];
+  std::ranges::sort(trees);
+  const int sparse = trees[kPlots * kPlots / 8], usual = trees[kPlots * kPlots / 2],
+            dense = trees[kPlots * kPlots * 7 / 8];
+  EXPECT_GT(usual, 2);
+  EXPECT_LT(3 * sparse, usual);
+  EXPECT_GT(dense, 2 * usual - 2);
+}
+
+TEST(Plants, are_as_far_as_the_nearest_tree_of_all) {
+  world::Document document;
+  document.park = world::usual_park(world::Land::hills, 7);
+  DerivedTrack derived;
+  derive(document, {}, {}, derived);
+  Ground ground;
+  Plants plants;
+  ground.update(document, derived, kRoom);
+  plants.update(ground);
+  std::mt19937 bits(5);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
+  int near = 0;
+  for (int i = 0; i < 4000; ++i) {
+    // Near a border of patches, where the nearest tree is often beyond it.
+    const double along = uniform(-300, 300), off = 64 * std::floor(uniform(-4, 4)) + uniform(-3, 3);
+    const glm::dvec2 at = i % 2 == 0 ? glm::dvec2(along, off) : glm::dvec2(off, along);
+    const double y = ground.height(at.x, at.y) + uniform(0, 12), most = uniform(2, 9);
+    const double found = plants.distance({at.x, y, at.y}, most), far = plants.distance({at.x, y, at.y}, 40);
+    ASSERT_NEAR(found, std::fmin(far, most), 1e-12) << at.x << " " << at.y;
+    near += found < most;
+  }
+  EXPECT_GT(near, 400);
 }
 
 }  // namespace ground_test
