@@ -206,6 +206,7 @@ TEST(Ground, is_met_by_rays_where_they_reach_it) {
 TEST(Ground, is_cut_open_below_low_track) {
   Ridge ridge(3, 60, 1);
   EXPECT_TRUE(ridge.ground.tunnels().empty());
+  EXPECT_NEAR(ridge.ground.height(0, 0), 1 - TrackRoom{}.below, 0.7) << "no deeper than usual";
   for (int x = -50; x <= 50; x += 5) {
     EXPECT_LE(ridge.ground.height(x, 0), 1 - kRoom.below + 1e-3) << x;
     EXPECT_LE(ridge.ground.height(x, kRoom.beside + 1), 1 - kRoom.below + 0.3) << x;
@@ -458,6 +459,27 @@ TEST(Plants, are_more_where_woods_are_more_and_none_where_a_brush_cleared_them) 
     for (const Plant& plant : plants.of(i))
       if (plant.foot.x > 128 && plant.foot.x < 192 && plant.foot.z > 128 && plant.foot.z < 192)
         EXPECT_EQ(plant.kind, PlantKind::rock);
+}
+
+TEST(Plants, leave_the_front_of_a_portal_free) {
+  Ridge ridge(14, 50, 2);
+  ridge.document.park.woods = 1;
+  ridge.update();
+  Plants plants;
+  plants.update(ridge.ground);
+  ASSERT_EQ(ridge.ground.gates().size(), 2u);
+  int around = 0;
+  for (std::size_t i = 0; i < plants.patches(); ++i) {
+    for (const Plant& plant : plants.of(i)) {
+      for (const TunnelGate& gate : ridge.ground.gates()) {
+        const glm::dvec2 from(plant.foot.x - gate.at.x, plant.foot.z - gate.at.z);
+        const double behind = glm::dot(from, gate.inwards);
+        EXPECT_FALSE(behind > -14 && behind < 5 && glm::length(from) < 15) << plant.foot.x << ' ' << plant.foot.z;
+        around += glm::length(from) < 40;
+      }
+    }
+  }
+  EXPECT_GT(around, 20);
 }
 
 // Woods of middling density have thickets and clearings, on level land, too.
