@@ -82,6 +82,8 @@ PictureContents find_seen(Program& program, const PictureSettings& look) {
   if (look.settings.aids->show_element) marked.element = &find.element(), marked.narrow = find.room();
   if (const sim::ElementPlan* const way = shown_closing(find, program, look)) marked.element = way, marked.narrow = {};
   if (layers.has(world::Layer::supports)) seen.supports = &find.supports();
+  // What add_surroundings() shows is found here, with the rest of what takes the program's time.
+  if (look.settings.look->scenery != world::Scenery::plain) (void)find.plants(), (void)find.stations();
   return seen;
 }
 

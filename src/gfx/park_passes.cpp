@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gfx/land_cache.h"
+#include "gfx/mesh_pool.h"
 #include "gfx/park/grain.h"
 #include "gfx/plant_cache.h"
 #include "sim/ground/fixtures.h"
@@ -127,7 +128,9 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
   const bool relit = std::exchange(parts.lit, style.night) != style.night || parts.lamp_map.id() == 0;
   if (moved) parts.lamps = sim::lamps_of(ground);
   parts.lights = style.night ? parts.lamps : std::vector<sim::Lamp>();
-  parts.mesh.update(ground, scene.plants, glm::normalize(style.sun), !style.drawing, parts.lights);
+  Stopwatch watch{scene.clock};
+  watch.time([&] { parts.mesh.update(ground, scene.plants, glm::normalize(style.sun), !style.drawing, parts.lights); });
+  stats.prepare_ms += 1000 * watch.seconds;
   const LandCache::UploadStats written = parts.land.sync(ground, parts.mesh);
   stats.park_uploads = written.patches;
   stats.park_upload_bytes = written.bytes;

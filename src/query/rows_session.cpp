@@ -123,7 +123,7 @@ constexpr Query kSessionRows[]{
     {"camera_shown", "", "The camera of the last frame: orbit if there is no train to follow.",
      of_frame<&FrameStats::camera_shown>, or_none(kOneOf<world::CameraMode>)},
     {"camera_eye", "m", "Position of the last frame's camera.", of_frame<&FrameStats::eye>, or_none(kVector)},
-    {"camera_height", "m", "Height of the last frame's camera above the ground.", camera_height, or_none()},
+    {"camera_height", "m", "Height (y) of the last frame's camera.", camera_height, or_none()},
     {"camera_forward", "", "Direction of the last frame's view.", of_frame<&FrameStats::eye_forward>, or_none(kVector)},
     {"camera_up", "", "Up vector of the last frame's camera.", of_frame<&FrameStats::eye_up>, or_none(kVector)},
     {"camera_tilt", "deg", "Roll of the last frame's view, positive to the right.", camera_tilt, or_none()},

@@ -206,6 +206,7 @@ TEST(Ground, is_met_by_rays_where_they_reach_it) {
 TEST(Ground, is_cut_open_below_low_track) {
   Ridge ridge(3, 60, 1);
   EXPECT_TRUE(ridge.ground.tunnels().empty());
+  EXPECT_NEAR(ridge.ground.height(0, 0), 1 - TrackRoom{}.below, 0.7) << "no deeper than usual";
   for (int x = -50; x <= 50; x += 5) {
     EXPECT_LE(ridge.ground.height(x, 0), 1 - kRoom.below + 1e-3) << x;
     EXPECT_LE(ridge.ground.height(x, kRoom.beside + 1), 1 - kRoom.below + 0.3) << x;
@@ -229,6 +230,26 @@ TEST(Ground, keeps_the_hill_over_a_tunnel) {
   EXPECT_LT(ridge.ground.gates()[1].inwards.x, -0.99);
   // In front of the portal the track is free.
   EXPECT_LE(ridge.ground.height(ridge.ground.gates()[0].at.x - 1, 0), 2 - kRoom.below + 0.7);
+}
+
+// The hill leans back from a portal, behind it and on both sides, and is whole some way off.
+TEST(Ground, rises_behind_and_beside_a_portal) {
+  Ridge ridge(24, 60, 2);
+  ASSERT_EQ(ridge.ground.gates().size(), 2u);
+  for (const TunnelGate& gate : ridge.ground.gates()) {
+    const auto height = [&](double behind, double aside) {
+      return ridge.ground.height(gate.at.x + behind * gate.inwards.x, aside);
+    };
+    EXPECT_LT(height(4, 0), 12);
+    EXPECT_GT(height(12, 0), height(4, 0) + 4);
+    EXPECT_LT(height(14, 0), 20);
+    for (const double side : {-1.0, 1.0}) {
+      EXPECT_GT(height(4, 16 * side), height(4, 0) + 3) << side;
+      EXPECT_GT(height(14, 16 * side), 22) << side;
+      EXPECT_NEAR(height(6, 34 * side), 24, 1e-3) << side;
+    }
+    EXPECT_NEAR(height(30, 0), 24, 1e-3);
+  }
 }
 
 TEST(Ground, covers_every_tunnel_and_uncovers_every_other_track) {
@@ -350,6 +371,38 @@ TEST(TunnelMesh, lets_trains_through_and_hides_the_hill) {
   EXPECT_LE(holes, 40);
 }
 
+// A portal is a wall across the track, which faces those who come.
+TEST(TunnelMesh, has_portals_across_the_track) {
+  int skew = 0;
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    world::Document document = circuit(seed);
+    for (const world::Entity knot : document.track.knots)
+      document.entities.get<world::Knot>(knot).position.y -= 14;  // half of it within earth
+    document.park = world::usual_park(world::Land::hills, seed);
+    DerivedTrack derived;
+    derive(document, {}, {}, derived);
+    Ground ground;
+    ground.update(document, derived, kRoom);
+    const EarthMesh mesh = tunnel_mesh(ground);
+    for (const TunnelGate& gate : ground.gates()) {
+      const glm::dvec3 in(gate.inwards.x, 0, gate.inwards.y), across(gate.inwards.y, 0, -gate.inwards.x);
+      double left = 0, right = 0, top = 0;
+      for (const EarthVertex& v : mesh.vertices) {
+        const glm::dvec3 from = glm::dvec3(v.position) - gate.at;
+        if (glm::dot(glm::dvec3(v.normal), in) > -0.99 || std::abs(glm::dot(from, in)) > 3 || glm::length(from) > 15)
+          continue;
+        const double aside = glm::dot(from, across);
+        left = std::max(left, aside), right = std::min(right, aside), top = std::max(top, from.y);
+      }
+      EXPECT_GT(left, kRoom.tube) << seed;
+      EXPECT_LT(right, -kRoom.tube) << seed;
+      EXPECT_GT(top, kRoom.lift + kRoom.tube) << seed;
+      skew += std::abs(gate.inwards.y) > 0.3;
+    }
+  }
+  EXPECT_GT(skew, 2);
+}
+
 // Clear of track, stations, water and steep slopes, whatever the seed.
 TEST(Plants, keep_clear_and_stay_where_they_are) {
   for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(test::tries(6)); ++seed) {
@@ -420,6 +473,75 @@ TEST(Plants, are_more_where_woods_are_more_and_none_where_a_brush_cleared_them) 
     for (const Plant& plant : plants.of(i))
       if (plant.foot.x > 128 && plant.foot.x < 192 && plant.foot.z > 128 && plant.foot.z < 192)
         EXPECT_EQ(plant.kind, PlantKind::rock);
+}
+
+TEST(Plants, leave_the_front_of_a_portal_free) {
+  Ridge ridge(14, 50, 2);
+  ridge.document.park.woods = 1;
+  ridge.update();
+  Plants plants;
+  plants.update(ridge.ground);
+  ASSERT_EQ(ridge.ground.gates().size(), 2u);
+  int around = 0;
+  for (std::size_t i = 0; i < plants.patches(); ++i) {
+    for (const Plant& plant : plants.of(i)) {
+      for (const TunnelGate& gate : ridge.ground.gates()) {
+        const glm::dvec2 from(plant.foot.x - gate.at.x, plant.foot.z - gate.at.z);
+        const double behind = glm::dot(from, gate.inwards);
+        EXPECT_FALSE(behind > -14 && behind < 5 && glm::length(from) < 15) << plant.foot.x << ' ' << plant.foot.z;
+        around += glm::length(from) < 40;
+      }
+    }
+  }
+  EXPECT_GT(around, 20);
+}
+
+// Woods of middling density have thickets and clearings, on level land, too.
+TEST(Plants, grow_in_thickets_with_clearings_between) {
+  world::Document document;
+  document.park = world::usual_park(world::Land::meadow, 3);
+  document.park.relief = 0, document.park.water = world::kNoWater, document.park.woods = 0.5;
+  DerivedTrack derived;
+  derive(document, {}, {}, derived);
+  Ground ground;
+  Plants plants;
+  ground.update(document, derived, kRoom);
+  plants.update(ground);
+  constexpr int kPlots = 24;  // across, of 32 m
+  std::vector<int> trees(kPlots * kPlots);
+  for (std::size_t i = 0; i < plants.patches(); ++i)
+    for (const Plant& plant : plants.of(i))
+      if (plant.kind == PlantKind::broadleaf || plant.kind == PlantKind::conifer)
+        ++trees[static_cast<std::size_t>(static_cast<int>(plant.foot.z / 32 + kPlots / 2) * kPlots +
+                                         static_cast<int>(plant.foot.x / 32 + kPlots / 2))];
+  std::ranges::sort(trees);
+  const int sparse = trees[kPlots * kPlots / 8], usual = trees[kPlots * kPlots / 2],
+            dense = trees[kPlots * kPlots * 7 / 8];
+  EXPECT_GT(usual, 2);
+  EXPECT_LT(3 * sparse, usual);
+  EXPECT_GT(dense, 2 * usual - 2);
+}
+
+// Whichever way the tree lies, and whichever patch it grows on.
+TEST(Plants, are_no_farther_than_each_tree) {
+  world::Document document;
+  document.park = world::usual_park(world::Land::hills, 7);
+  DerivedTrack derived;
+  derive(document, {}, {}, derived);
+  Ground ground;
+  Plants plants;
+  ground.update(document, derived, kRoom);
+  plants.update(ground);
+  ASSERT_GT(plants.trees(), 1000);
+  for (std::size_t i = 0; i < plants.patches(); i += 5) {
+    for (const Plant& plant : plants.of(i)) {
+      if (plant.kind != PlantKind::broadleaf && plant.kind != PlantKind::conifer) continue;
+      const glm::dvec3 trunk = glm::dvec3(plant.foot) + glm::dvec3(0, double{plant.size}, 0);
+      for (const glm::dvec3 way :
+           {glm::dvec3(4, 0, 0), glm::dvec3(-4, 0, 0), glm::dvec3(0, 0, 4), glm::dvec3(0, 0, -4)})
+        ASSERT_LE(plants.distance(trunk + way, 9), 4 - 0.3 + 1e-9) << trunk.x << ' ' << trunk.z;
+    }
+  }
 }
 
 }  // namespace ground_test

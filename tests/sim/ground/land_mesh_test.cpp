@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/ground/fixtures.h"
+#include "sim/ground/lamps.h"
 #include "sim/ground/land_paint.h"
+#include "sim/lands.h"
 #include "sim/solids/coaster_form.h"
 #include "sim/tracks.h"
 
@@ -165,6 +167,77 @@ TEST(LandMesh, lies_in_the_sun_where_a_ray_to_it_meets_no_land) {
   EXPECT_LT(too_lit, dark / 25);
 }
 
+TEST(LandMesh, sees_less_of_the_sky_in_a_valley) {
+  Site site;
+  site.document = test::ring_document(12, 95, 400);  // far above
+  test::shape_land(site.document, [](double x, double) { return 2 * std::abs(x); });
+  site.update();
+  const LandMesh mesh = site.mesh();
+  const LandField& field = mesh.field();
+  int seen = 0;
+  for (const LandPatch& patch : mesh.patches()) {
+    for (const LandVertex& vertex : patch.vertices) {
+      if (std::abs(vertex.position.z) > 60 || vertex.position.x != 0) continue;
+      // The sides rise by 2 across the valley, by the square root of 2 halfway, and not at all along it: of the sky
+      // 1/5, 1/3 and all are left.
+      const float open = (2 * (1 / 5.0f) + 4 * (1 / 3.0f) + 2) / 8;
+      const auto half = static_cast<int>(field.across / 2);
+      const float wood =
+          static_cast<float>(field.wood[field.at(half, half + static_cast<int>(vertex.position.z / 2))]) / 255;
+      EXPECT_NEAR(vertex.paint[3], 255 * (0.30f + 0.70f * open) * (1 - 0.35f * wood), 1.01);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 50);
+}
+
+TEST(LandMesh, sees_less_of_the_sky_between_walls_some_way_off) {
+  Site site;
+  site.document = test::ring_document(12, 95, 400);
+  test::shape_land(site.document, [](double x, double) { return std::abs(x) > 9 ? 40 : 0; });
+  site.update();
+  LandMesh mesh;
+  mesh.update(site.ground, nullptr, kSun, true, {});
+  int seen = 0;
+  for (const LandPatch& patch : mesh.patches())
+    for (const LandVertex& vertex : patch.vertices)
+      if (std::abs(vertex.position.z) < 60 && vertex.position.x == 0) {
+        EXPECT_LT(vertex.paint[3], 190);
+        ++seen;
+      }
+  EXPECT_GT(seen, 50);
+}
+
+TEST(LandMesh, is_shaded_by_single_plants_in_part) {
+  const Site site;
+  const LandMesh mesh = site.mesh();
+  const LandField& field = mesh.field();
+  int trees = 0, bushes = 0;
+  for (std::size_t i = 0; i < site.plants.patches(); ++i) {
+    for (const sim::Plant& plant : site.plants.of(i)) {
+      const auto near = [&](const sim::Plant& other) {
+        return &other != &plant && other.kind != sim::PlantKind::rock &&
+               glm::distance(glm::vec2(other.foot.x, other.foot.z), glm::vec2(plant.foot.x, plant.foot.z)) < 12;
+      };
+      const bool tree = plant.kind != sim::PlantKind::bush;
+      bool alone = plant.kind != sim::PlantKind::rock && (tree ? trees < 12 : bushes < 4);
+      for (std::size_t k = 0; alone && k < site.plants.patches(); ++k)
+        alone = std::ranges::none_of(site.plants.of(k), near);
+      if (!alone) continue;
+      std::uint8_t most = 0;
+      const auto cell = [&](float v) { return static_cast<int>(std::lround(v / 2)) + field.across / 2; };
+      for (int z = -3; z <= 3; ++z)
+        for (int x = -3; x <= 3; ++x)
+          most = std::max(most, field.wood[field.at(cell(plant.foot.x) + x, cell(plant.foot.z) + z)]);
+      EXPECT_LE(most, tree ? 141 : 102) << "of 255";
+      EXPECT_GT(most, tree ? 70 : 10);
+      (tree ? trees : bushes) += 1;
+    }
+  }
+  EXPECT_GT(trees, 0);
+  EXPECT_GT(bushes, 0);
+}
+
 TEST(LandMesh, is_lit_by_lamps_within_their_reach) {
   const Site site;
   LandMesh mesh = site.mesh();
@@ -177,6 +250,19 @@ TEST(LandMesh, is_lit_by_lamps_within_their_reach) {
   EXPECT_EQ(mesh.light_at(40 + 28, 30).lamp, 0);
   mesh.update(site.ground, &site.plants, kSun, true, {});
   EXPECT_EQ(differing(mesh, site.mesh()), 0);
+}
+
+TEST(LandPaint, shows_grey_rock_on_steep_snow_and_snow_on_level_ground) {
+  const world::Park park = world::usual_park(world::Land::snow, 7);
+  for (int i = 0; i < 40; ++i) {
+    const double x = 13.0 * i, height = 4 + 0.7 * i;
+    const glm::vec3 rock = land_paint(park, {x, -x, static_cast<float>(height), 0.2f, 0, 0}),
+                    level = land_paint(park, {x, -x, static_cast<float>(height), 1, 0, 0});
+    EXPECT_LT(rock.x, 0.4f) << i;
+    EXPECT_NEAR(rock.x, rock.y, 0.04) << i;
+    EXPECT_NEAR(rock.y, rock.z, 0.04) << i;
+    EXPECT_GT(level.y, rock.y + 0.1f) << i;
+  }
 }
 
 TEST(Lamps, stand_along_the_track_clear_of_it) {

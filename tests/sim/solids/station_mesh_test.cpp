@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,21 @@ TEST(StationMesh, stands_only_where_people_can_walk) {
   world::Document tiny = test::straight_document({0, 3, 0}, {9, 3, 0}, 3);
   tiny.entities.put(tiny.track.segments[1], world::Equipment{.kind = world::EquipmentKind::station});
   EXPECT_TRUE(mesh_of(tiny, "A").vertices.empty());
+}
+
+// Steps lead from the plaza up to the platform, none of them higher than a foot lifts.
+TEST(StationMesh, is_reached_by_steps) {
+  const Mesh mesh = mesh_of(station_document(world::CoasterKind::steel), "A");
+  const glm::dvec3 right = glm::cross(glm::normalize(glm::dvec3(4, 0, -3)), glm::dvec3(0, 1, 0));
+  std::set<long> treads;  // heights in mm, of what is level beside the platform
+  for (const MeshVertex& vertex : mesh.vertices)
+    if (vertex.normal.y > 0.99f && vertex.part == static_cast<float>(Material::concrete) && vertex.position.y > 0.01f &&
+        std::abs(glm::dot(glm::dvec3(vertex.position), right)) > 2)
+      treads.insert(std::lround(1000 * double{vertex.position.y}));
+  ASSERT_GE(treads.size(), 8u);
+  long below = 0;
+  for (const long tread : treads) EXPECT_LT(tread - std::exchange(below, tread), 220);
+  EXPECT_GT(below, 1500);
 }
 
 // A station over the start of a closed track is one building, as it is when the track starts elsewhere.
