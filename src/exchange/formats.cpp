@@ -64,9 +64,10 @@ constexpr std::array kFormats{
     points_format(".txt"),
     points_format(".sp"),
     TrackFormat{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
-    TrackFormat{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
+    TrackFormat{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid, base::kMaxFileBytes, nullptr,
+                false, print_gltf_park},
     TrackFormat{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid, base::kMaxFileBytes, nullptr,
-                false, obj_materials},
+                false, print_obj_park, obj_materials},
     TrackFormat{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
@@ -173,14 +174,16 @@ std::string_view wrapping(std::string_view bytes) {
 }
 
 base::Status print_to(base::Files& files, const std::filesystem::path& path, const TrackFormat& format,
-                      const world::Document& document, std::uint64_t* content, base::ReplaceableFiles replaces) {
+                      const world::Document& document, std::uint64_t* content, base::ReplaceableFiles replaces,
+                      bool with_park) {
   if (format.check)
     if (const base::Status fit = format.check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
-  std::string bytes = format.print(document);
+  std::string bytes = (with_park ? format.print_park : format.print)(document);
   if (const std::filesystem::path beside = materials_of(path); !beside.empty()) {
     bytes = fmt::format("mtllib {}\n{}", beside.filename().string(), bytes);
-    if (const base::Status written = files.write_atomic(beside, format.materials(document)); !written) return written;
+    if (const base::Status written = files.write_atomic(beside, format.materials(document, with_park)); !written)
+      return written;
   }
   bytes = base::visible_text(bytes);
   if (content) *content = base::content_hash(bytes);
@@ -261,15 +264,20 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
-                        std::uint64_t* content, base::ReplaceableFiles replaces) {
+                        std::uint64_t* content, base::ReplaceableFiles replaces, bool with_park) {
   const TrackFormat* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, FormatUse::write)};
+  if (with_park && (!format->print_park || document.park.plain()))
+    return {base::Code::refused,
+            fmt::format("{}: error: {}", path.string(),
+                        format->print_park ? "the track has no park: choose a land, or save it without the word park"
+                                           : "only .gltf and .obj can hold the park as triangles")};
   if (!format->whole && document.curve == world::TrackCurve::heartline) {
     const base::Result<world::Document> rails = rails_of(document, *format);
     if (!rails) return {rails.status().code, fmt::format("{}: {}", path.string(), rails.status().message)};
-    return print_to(files, path, *format, *rails, content, replaces);
+    return print_to(files, path, *format, *rails, content, replaces, with_park);
   }
-  return print_to(files, path, *format, document, content, replaces);
+  return print_to(files, path, *format, document, content, replaces, with_park);
 }
 
 }  // namespace coaster::exchange

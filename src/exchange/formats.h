@@ -26,7 +26,8 @@ struct TrackFormat {
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              const ImportOptions& import) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
-  std::string (*materials)(const world::Document&) = nullptr;  // prints the file of materials_of()
+  std::string (*print_park)(const world::Document&) = nullptr;  // prints the track in its park; null: cannot
+  std::string (*materials)(const world::Document&, bool with_park) = nullptr;  // prints the file of materials_of()
 };
 
 // Returns the table; the project's own format is first.
@@ -58,10 +59,11 @@ struct ImportQuestion {
 std::optional<ImportQuestion> question_of(base::Files& files, const std::filesystem::path& path);
 
 // Writes a track. Formats that do not hold everything get the rails, even of a heartline track; they are refused where
-// rails fold. `content` gets the hash of the bytes as soon as they are printed.
+// rails fold. `content` gets the hash of the bytes as soon as they are printed. `with_park`: with land, water and
+// plants beside the track; refused without a land, and for formats that cannot hold them.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
                         std::uint64_t* content = nullptr,
-                        base::ReplaceableFiles replaces = base::ReplaceableFiles::made);
+                        base::ReplaceableFiles replaces = base::ReplaceableFiles::made, bool with_park = false);
 
 // Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
 enum class FormatUse { read, write };

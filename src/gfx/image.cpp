@@ -45,6 +45,25 @@ int between(const std::uint8_t* a, const std::uint8_t* b) {
   return most;
 }
 
+// Returns whether each channel of a pixel lies within those of the pixels around it in another picture of its size.
+bool is_around(const Image& picture, const Image& other, int x, int y, PictureTolerance tolerance) {
+  const auto channel_of = [&](const Image& image, int column, int row, int c) {
+    return int(image.rgba[4 * (std::size_t(row) * std::size_t(image.width) + std::size_t(column)) + std::size_t(c)]);
+  };
+  for (int c = 0; c < 4; ++c) {
+    int low = 255, high = 0;
+    for (int row = std::max(0, y - tolerance.moved); row <= std::min(other.height - 1, y + tolerance.moved); ++row)
+      for (int column = std::max(0, x - tolerance.moved); column <= std::min(other.width - 1, x + tolerance.moved);
+           ++column) {
+        const int value = channel_of(other, column, row, c);
+        low = std::min(low, value), high = std::max(high, value);
+      }
+    const int is = channel_of(picture, x, y, c);
+    if (is < low - tolerance.channel || is > high + tolerance.channel) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 // Row by row: a large picture is in memory only once.
@@ -111,7 +130,8 @@ PictureDifference compare(const Image& picture, const Image& golden, PictureTole
       const int by = between(p, &golden.rgba[at]);
       if (by > result.largest) result.largest = by, result.largest_at = {x, y};
       if (by > tolerance.channel) {
-        if (++result.pixels == 1) result.first = {x, y};
+        if (!is_around(picture, golden, x, y, tolerance) || !is_around(golden, picture, x, y, tolerance))
+          if (++result.pixels == 1) result.first = {x, y};
         const int count = ++blocks[std::size_t(y / kBlock) * std::size_t(columns) + std::size_t(x / kBlock)];
         result.worst_block = std::max(result.worst_block, count);
         out[0] = 255, out[1] = out[2] = 0;

@@ -13,7 +13,7 @@ inline constexpr base::NameRow kBrushes[] = {
     {"raise", "Raise", "Raise the ground; with Shift lower it."},
     {"smooth", "Smooth", "Smooth the ground."},
     {"flatten", "Flatten", "Make the ground as high as where the stroke begins."},
-    {"slope", "Slope", "Drag from one place to another: one slope between their heights."},
+    {"slope", "Slope", "Click where it begins and where it ends: one slope between their heights."},
     {"woods", "Woods", "Let trees grow; with Shift clear them, with Ctrl as the land has them."}};
 constexpr std::span<const base::NameRow> rows_of(Brush) { return kBrushes; }
 inline constexpr double kLeastBrush = 1, kLargestBrush = 200;  // m, radii

@@ -45,12 +45,12 @@ struct LoadTrack {
 // Refused with Code::io if another program changed the document's own file since it was opened, unless `overwrite`.
 struct Save {
   std::string path;
-  Flag overwrite{};
+  Flag overwrite{}, park{};
   COASTER_COMMAND(Save, "save",
                   "Save the track to a file, or export it: the extension selects the format. With overwrite, also "
-                  "replace changes by another program.",
+                  "replace changes by another program. With park, glTF and OBJ hold land, water and plants, too.",
                   Effect::session, {}, kWritesFile);
-  COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
+  COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite), visit("park?", self.park))
 };
 struct CopyLink {
   COASTER_COMMAND(

@@ -105,8 +105,9 @@ Status perform(Session& session, Change& change, const Save& command) {
                                         "name, or replace the changes with: save {} overwrite",
                                         command.path, base::quoted_start(command.path))};
   std::uint64_t content = 0;
-  const Status status = exchange::save_track(change.files, command.path, session.document, &content,
-                                             own ? base::ReplaceableFiles::any : base::ReplaceableFiles::made);
+  const Status status =
+      exchange::save_track(change.files, command.path, session.document, &content,
+                           own ? base::ReplaceableFiles::any : base::ReplaceableFiles::made, command.park.set);
   if (!status) {
     // If only the last flush failed, the new contents are this program's own.
     if (own && content_of(session.file.path) == content) session.file.content = content;

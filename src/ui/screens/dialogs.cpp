@@ -136,7 +136,10 @@ void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
     selected.which = edit::Knots::Which::selected;
     ui.emit(edit::SaveSections{path.string(), selected});
   } else {
-    ui.emit(edit::Save{path.string(), {overwrite}});
+    const exchange::TrackFormat* const format = exchange::format_of(path);
+    const bool park =
+        park_ && !ui.session().document.park.plain() && format != nullptr && format->print_park != nullptr;
+    ui.emit(edit::Save{path.string(), {overwrite}, {park}});
   }
   saving_ = want_.kind != ScreenRequest::Kind::nothing;
   dialog_ = Dialog::none;
@@ -262,6 +265,9 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
     if (button(ui, "Cancel", "Stop waiting for it.") || pressed(events, Key::escape)) abandon();
     return;
   }
+  if (saving && !sections_ && !ui.session().document.park.plain())
+    if (const auto on = checkbox(ui, "With the park", park_, "glTF and OBJ also hold land, water, tunnels and plants."))
+      park_ = *on;
   switch (browser_.build(ui, events, text_had_keyboard, system.available)) {
     case FileBrowser::Answer::none: break;
     case FileBrowser::Answer::cancel: abandon(); break;

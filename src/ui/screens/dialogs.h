@@ -57,6 +57,7 @@ class Dialogs {
   bool system_ = false;       // the system's dialog is open
   FileBrowser browser_;
   bool sections_ = false;                                  // the browser shows files of sections, not of tracks
+  bool park_ = false;                                      // exports hold the park, too
   std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is first built
   int challenge_ = 0;                                      // the highlighted row
   exchange::ImportQuestion question_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/portable_math.h"
 #include "edit/commands/commands_park.h"
@@ -79,6 +80,7 @@ void GroundBrush::update(Ui& ui, const view::View& view, bool over) {
   const edit::Session& session = ui.session();
   const ImGuiIO& io = ImGui::GetIO();
   if (stroke_ && ((stroke_->gesture && !session.history.in_gesture) || !chosen(session))) stroke_.reset();
+  if (session.settings.aids->brush != Brush::slope || !chosen(session)) slope_from_.reset();
   if (!chosen(session)) return;
   const float radius = session.settings.aids->brush_radius;
   if (over && io.MouseWheel != 0 && !io.KeyCtrl) {
@@ -92,31 +94,36 @@ void GroundBrush::update(Ui& ui, const view::View& view, bool over) {
     const glm::vec2 mouse = mouse_position();
     if (const auto hit = under_mouse(ui.find.ground(), view, mouse)) at = glm::vec2(hit->x, hit->z);
   }
-  if (over && at && !stroke_ && io.MouseClicked[ImGuiMouseButton_Left] && !io.KeyAlt) begin(ui, *at);
+  if (over && at && !stroke_ && io.MouseClicked[ImGuiMouseButton_Left] && !io.KeyAlt) press(ui, *at);
   if (stroke_ && at) paint(ui, *at);
   if (at) draw_ring(ui, view, *at, radius);
-  if (at && stroke_ && session.settings.aids->brush == Brush::slope) {
-    draw_ring(ui, view, stroke_->first, radius);
-    draw_way(ui, view, stroke_->first, *at);
-  }
-  if (stroke_ && !io.MouseDown[ImGuiMouseButton_Left]) end(ui, at);
+  if (slope_from_) draw_ring(ui, view, *slope_from_, radius);
+  if (slope_from_ && at) draw_way(ui, view, *slope_from_, *at);
+  if (stroke_ && !io.MouseDown[ImGuiMouseButton_Left]) end(ui);
 }
 
 bool GroundBrush::cancel(Ui& ui) {
-  if (!stroke_) return false;
+  if (!stroke_) return std::exchange(slope_from_, std::nullopt).has_value();
   if (stroke_->gesture) ui.emit(edit::CancelGesture{});
   stroke_.reset();
   return true;
 }
 
-void GroundBrush::begin(Ui& ui, glm::vec2 at) {
-  stroke_ = Stroke{.first = at, .last = at, .height = ui.find.ground().land().height(at.x, at.y)};
+void GroundBrush::press(Ui& ui, glm::vec2 at) {
+  const EditingAids& aids = *ui.session().settings.aids;
+  if (aids.brush != Brush::slope) {
+    stroke_ = Stroke{.last = at, .height = ui.find.ground().land().height(at.x, at.y)};
+  } else if (!slope_from_) {
+    slope_from_ = at;
+  } else if (glm::distance(at, *slope_from_) > 1) {  // the second click of a double click ends none
+    ui.emit(edit::SlopeGround{*slope_from_, at, double{aids.brush_radius}});
+    slope_from_.reset();
+  }
 }
 
 // Dabs follow each other in time, so that a mouse held still goes on; woods only where it moves.
 void GroundBrush::paint(Ui& ui, glm::vec2 at) {
   const EditingAids& aids = *ui.session().settings.aids;
-  if (aids.brush == Brush::slope) return;
   constexpr int kMost = 4;  // in one frame
   stroke_->due -= double{ImGui::GetIO().DeltaTime};
   const bool moved = !stroke_->gesture || glm::distance(at, stroke_->last) > 0.25f * aids.brush_radius;
@@ -152,11 +159,8 @@ void GroundBrush::dab(Ui& ui, glm::vec2 at) {
   }
 }
 
-void GroundBrush::end(Ui& ui, std::optional<glm::vec2> at) {
-  const EditingAids& aids = *ui.session().settings.aids;
+void GroundBrush::end(Ui& ui) {
   if (stroke_->gesture) ui.emit(edit::EndGesture{});
-  else if (aids.brush == Brush::slope && at && glm::distance(*at, stroke_->first) > 1)
-    ui.emit(edit::SlopeGround{stroke_->first, *at, double{aids.brush_radius}});
   stroke_.reset();
 }
 

@@ -22,7 +22,7 @@ inline world::Document closed_document() {
 }
 
 struct Obj {
-  std::vector<glm::vec3> v, vn;
+  std::vector<glm::vec3> v, vn, vc;  // vc: colours of those vertices that have one
   std::map<std::string, std::vector<std::uint32_t>> faces;
   std::vector<std::uint32_t> line;
 };
@@ -40,6 +40,7 @@ inline Obj read_obj(const std::string& text) {
       glm::vec3 p;
       EXPECT_TRUE(words >> p.x >> p.y >> p.z) << line;
       (word == "v" ? obj.v : obj.vn).push_back(p);
+      if (word == "v" && words >> p.x >> p.y >> p.z) obj.vc.push_back(p);
     }
     if (word == "f")
       for (int k = 0; k < 3; ++k) {
@@ -120,6 +121,23 @@ struct Gltf {
       EXPECT_EQ(file["accessors"][accessor]["max"].at(axis).get<float>(), high);
     }
     return out;
+  }
+  // The index of the only element of a list with this name.
+  std::size_t named(const char* list, const std::string& name) const {
+    std::size_t found = 0, count = 0, i = 0;
+    for (const exchange::Json& element : file[list]) {
+      if (element.value("name", "") == name) found = i, ++count;
+      ++i;
+    }
+    EXPECT_EQ(count, 1u) << list << ' ' << name;
+    return found;
+  }
+  // The primitive of a mesh with this material.
+  const exchange::Json& primitive(const std::string& mesh, const std::string& of) const {
+    const std::size_t wanted = named("materials", of);
+    for (const exchange::Json& primitive : file["meshes"].at(named("meshes", mesh))["primitives"])
+      if (primitive["material"].get<std::size_t>() == wanted) return primitive;
+    throw std::runtime_error("no primitive of " + of);
   }
 };
 

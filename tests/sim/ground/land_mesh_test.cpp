@@ -219,12 +219,12 @@ TEST(LandPaint, follows_what_lies_on_a_place) {
                     desert = world::usual_park(world::Land::desert, 7);
   LandPlace place{.x = 100, .z = 40, .height = 30};
   const glm::vec3 grass = land_paint(hills, place), sand = land_paint(desert, place);
-  EXPECT_GT(grass.g, grass.r);
-  EXPECT_GT(sand.r, sand.g);
+  EXPECT_GT(grass.y, grass.x);
+  EXPECT_GT(sand.x, sand.y);
   place.upright = 0.3f;
-  EXPECT_LT(land_paint(hills, place).g, land_paint(hills, place).r);  // rock
+  EXPECT_LT(land_paint(hills, place).y, land_paint(hills, place).x);  // rock
   place = {.x = 100, .z = 40, .height = 30, .wood = 1};
-  EXPECT_LT(land_paint(hills, place).g, grass.g);
+  EXPECT_LT(land_paint(hills, place).y, grass.y);
   place.earth = 1;
   EXPECT_EQ(land_paint(hills, place), land_paint(hills, {.x = -300, .z = 7, .height = 90, .earth = 1}));
   place = {.x = 100, .z = 40, .height = static_cast<float>(hills.water) - 5};

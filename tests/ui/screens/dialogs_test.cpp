@@ -7,6 +7,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
+#include "edit/commands/commands_park.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 
@@ -95,6 +96,36 @@ TEST_F(DialogsTest, saving_first_quits_only_when_it_was_saved) {
   frame({platform::KeyPress{Key::enter, true, false, {}}});
   EXPECT_TRUE(frame().quit);
   EXPECT_FALSE(edit::dirty(session_));
+}
+
+TEST_F(DialogsTest, exports_hold_the_park_where_there_is_one_and_the_user_wants_it) {
+  const auto save_as = [&](const char* name) {
+    key(Key::s, {.shift = true, .ctrl = true});
+    frames(2);
+    type("Save as/Name", (folder / name).string());
+    commands_.clear();
+  };
+  session_.file.path = (folder / "own.json").string();
+  key(Key::s, {.shift = true, .ctrl = true});
+  frames(2);
+  EXPECT_EQ(find("Save as/With the park"), nullptr) << "there is none";
+  key(Key::escape);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLand{world::Land::meadow}).ok());
+  save_as("a.svg");
+  click("Save as/With the park");
+  click("Save as/Save");
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_FALSE(all<edit::Save>()[0].park.set) << "a drawing holds no land";
+  save_as("a.obj");
+  click("Save as/Save");
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_TRUE(all<edit::Save>()[0].park.set) << "it is still ticked";
+  EXPECT_NE(files_.read(folder / "a.mtl")->find("newmtl land"), std::string::npos);
+  save_as("b.gltf");
+  click("Save as/With the park");
+  click("Save as/Save");
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_FALSE(all<edit::Save>()[0].park.set);
 }
 
 TEST_F(DialogsTest, only_a_dialog_that_saves_makes_folders) {

@@ -69,16 +69,52 @@ TEST_F(GroundBrushTest, the_ground_becomes_as_high_as_where_the_stroke_began) {
   EXPECT_NEAR(height(dabs.back().at), dabs[0].to, 0.1);
 }
 
-TEST_F(GroundBrushTest, a_slope_is_dragged_from_one_place_to_another) {
+TEST_F(GroundBrushTest, a_slope_is_two_clicks_with_the_view_free_between_them) {
   choose(Brush::slope);
-  stroke({200, -100});
+  const std::size_t steps = session_.history.undo.size();
+  const world::Document before = session_.document;
+  const glm::vec2 first = empty_ground(), second = first + glm::vec2(200, -100);
+  click_at(first);
+  click_at(first);
+  EXPECT_TRUE(all<edit::SlopeGround>().empty()) << "a double click is no slope";
+  const float yaw = session_.settings.camera.yaw_deg;
+  hover(second);
+  press({}, platform::Button::right);
+  for (int i = 1; i <= 6; ++i) hover(second + glm::vec2(2.0f * static_cast<float>(i), 0));
+  release({}, platform::Button::right);
+  EXPECT_NE(session_.settings.camera.yaw_deg, yaw);
+  frames(2);
+  EXPECT_TRUE(all<edit::SlopeGround>().empty());
+  click_at(second);
   const auto slopes = all<edit::SlopeGround>();
   ASSERT_EQ(slopes.size(), 1u);
-  EXPECT_TRUE(all<edit::BeginGesture>().empty());
   EXPECT_GT(glm::distance(slopes[0].from, slopes[0].to), 5);
-  commands_.clear();
-  stroke();
-  EXPECT_TRUE(all<edit::SlopeGround>().empty()) << "a click is no slope";
+  EXPECT_EQ(slopes[0].radius, session_.settings.aids->brush_radius);
+  EXPECT_EQ(session_.history.undo.size(), steps + 1);
+  sim::Land land(before.park);
+  const glm::vec2 middle = 0.5f * (slopes[0].from + slopes[0].to);
+  const double from = land.height(slopes[0].from.x, slopes[0].from.y), to = land.height(slopes[0].to.x, slopes[0].to.y);
+  EXPECT_NEAR(height(middle), 0.5 * (from + to), 0.1);
+  click_at(second);
+  EXPECT_EQ(all<edit::SlopeGround>().size(), 1u) << "the next slope begins anew";
+}
+
+TEST_F(GroundBrushTest, escape_forgets_where_a_slope_began_and_so_does_another_brush) {
+  choose(Brush::slope);
+  const glm::vec2 first = empty_ground(), second = first + glm::vec2(160, -80);
+  click_at(first);
+  key(platform::Key::escape);
+  EXPECT_EQ(session_.settings.aids->brush, Brush::slope);
+  click_at(second);
+  EXPECT_TRUE(all<edit::SlopeGround>().empty());
+  choose(Brush::smooth);
+  choose(Brush::slope);
+  click_at(first);
+  EXPECT_TRUE(all<edit::SlopeGround>().empty());
+  key(platform::Key::escape);
+  key(platform::Key::escape);
+  frames(2);
+  EXPECT_EQ(session_.settings.aids->brush, Brush::off);
 }
 
 TEST_F(GroundBrushTest, woods_follow_the_mouse_and_shift_clears_them) {
