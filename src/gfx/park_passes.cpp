@@ -309,6 +309,7 @@ void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows)
   }
   if (pass.scene.scenery != world::Scenery::rich || pass.scene.view.parallel > 0) return;
   program.set("sunk", 0.0f);
+  program.set("room", 0.0f);
   program.set("taps", pass.scene.shadows ? 1 : 0);
   parts.gl.Disable(GL_CULL_FACE);
   add(parts.plants.draw_grass(parts.mesh, *pass.scene.ground, pass.view_projection, pass.scene.view.eye,

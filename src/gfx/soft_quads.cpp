@@ -64,7 +64,7 @@ void SoftQuads::upload(const Scene& scene, std::uint64_t solids) {
       if (const sim::SegmentSupports* const held = scene.supports->of(segment))
         for (const sim::Bar& bar : held->bars)
           if (const double reach = 0.75 + 2 * double{bar.to_radius}; bar.grounded)
-            add(glm::dvec3(bar.to), {reach, 0}, {0, reach}, {0.55f, 0.15f, 0.15f});
+            add(glm::dvec3(bar.to), {reach, 0}, {0, reach}, {0.45f, 0.15f, 0.15f});
   constexpr double kBeside = 4.2, kHigh = 6;  // m
   for (std::size_t i = 0; i < scene.derived.order.size(); ++i) {
     const sim::SegmentShape& shape = scene.derived.shape_at(i);
@@ -78,7 +78,7 @@ void SoftQuads::upload(const Scene& scene, std::uint64_t solids) {
           ring.position.y + sim::form_of(shape).platform - ground.height(ring.position.x, ring.position.z);
       if (over < kHigh && over > 0)
         add(ring.position, ahead, kBeside * glm::normalize(glm::dvec2(-way.y, way.x)),
-            {static_cast<float>(0.6 * (1 - over / kHigh)), 0.999f, 0.55f});
+            {static_cast<float>(0.5 * (1 - over / kHigh)), 0.999f, 0.55f});
     }
   }
   shadows_.fill(*gl_, quads);
