@@ -269,7 +269,7 @@ void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const T
   set_materials(pass, program, paint);
   shadows.bind(program);
   if (pass.park) {
-    program.set("sim::lamp_map", kLampUnit);
+    program.set("lamp_map", kLampUnit);
     program.set("lamps", pass.lit ? 1 : 0);
     program.set("lamp_square",
                 static_cast<float>(pass.scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell));

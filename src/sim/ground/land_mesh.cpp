@@ -51,7 +51,7 @@ float open_sky(const LandField& field, int x, int z) {
 }
 
 // The height at a place in cells, smoothly between the vertices.
-float height_between(const LandField& field, float x, float z) {
+float smooth_height(const LandField& field, float x, float z) {
   const float left = std::floor(x), low = std::floor(z);
   const int i = static_cast<int>(left), j = static_cast<int>(low);
   return glm::mix(glm::mix(field.height(i, j), field.height(i + 1, j), x - left),
@@ -73,7 +73,7 @@ float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float high
     if (ray > highest + 7 || run > kSunReach) break;
     const float x = from.x + run * way.x, z = from.z + run * way.y;
     const std::size_t at = field.at(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(z)));
-    const float land = i < kNearSteps ? height_between(field, x, z) : field.heights[at];
+    const float land = i < kNearSteps ? smooth_height(field, x, z) : field.heights[at];
     const float over = ray - land, wood = static_cast<float>(field.wood[at]) / 255;
     lit = std::min(lit, glm::clamp(0.5f + over / (0.6f + 0.05f * run), 0.0f, 1.0f));
     if (with_crowns && wood > 0.2f && over < kCrownReach) crowns += 0.22f * wood * (over < 1 ? 0.3f : 1.0f);

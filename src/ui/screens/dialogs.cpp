@@ -266,7 +266,8 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
     return;
   }
   if (saving && !sections_ && !ui.session().document.park.plain())
-    if (const auto on = checkbox(ui, "With the park", park_, "glTF and OBJ also hold land, water, tunnels and plants."))
+    if (const auto on =
+            checkbox(ui, "Park in glTF and OBJ", park_, "Such files also hold land, water, tunnels, plants."))
       park_ = *on;
   switch (browser_.build(ui, events, text_had_keyboard, system.available)) {
     case FileBrowser::Answer::none: break;

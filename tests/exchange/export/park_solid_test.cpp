@@ -1,7 +1,6 @@
 // The park in glTF and OBJ, and what sections paint.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <gtest/gtest.h>
 #include <glm/gtc/quaternion.hpp>
@@ -22,6 +21,8 @@ namespace park_solid_test {
 
 using test::Gltf;
 using test::Obj;
+
+constexpr const char* kNames[] = {"conifers", "broadleaves", "bushes", "rocks"};  // by sim::PlantKind
 
 // A ring of track, half of it through a hill of 30 m.
 struct ParkSolids : testing::Test {
@@ -45,6 +46,13 @@ struct ParkSolids : testing::Test {
     sim::derive(document, {}, {}, derived);
     ground.update(document, derived, sim::track_room(sim::form_of(document.kind)));
     plants.update(ground);
+  }
+  std::vector<sim::Plant> plants_of(std::size_t kind) const {
+    std::vector<sim::Plant> found;
+    for (std::size_t patch = 0; patch < plants.patches(); ++patch)
+      for (const sim::Plant& plant : plants.of(patch))
+        if (static_cast<std::size_t>(plant.kind) == kind) found.push_back(plant);
+    return found;
   }
   // The cells that the drawn land leaves open.
   int open_cells() const {
@@ -129,15 +137,11 @@ TEST_F(ParkSolids, water_covers_what_lies_below_its_level) {
 TEST_F(ParkSolids, every_plant_is_a_node_of_its_kinds_model) {
   stand_in(world::Land::hills);
   const Gltf gltf(print_gltf_park(document));
-  const char* const names[]{"conifers", "broadleaves", "bushes", "rocks"};
   int trees = 0;
   for (std::size_t kind = 0; kind < 4; ++kind) {
-    std::vector<sim::Plant> there;
-    for (std::size_t patch = 0; patch < plants.patches(); ++patch)
-      for (const sim::Plant& plant : plants.of(patch))
-        if (static_cast<std::size_t>(plant.kind) == kind) there.push_back(plant);
-    const std::size_t mesh = gltf.named("meshes", names[kind]);
-    const Json& children = gltf.file["nodes"].at(gltf.named("nodes", names[kind]))["children"];
+    const std::vector<sim::Plant> there = plants_of(kind);
+    const std::size_t mesh = gltf.named("meshes", kNames[kind]);
+    const Json& children = gltf.file["nodes"].at(gltf.named("nodes", kNames[kind]))["children"];
     ASSERT_EQ(children.size(), there.size());
     if (kind < 2) trees += static_cast<int>(children.size());
     for (std::size_t i = 0; i < there.size(); ++i) {
@@ -171,17 +175,17 @@ TEST_F(ParkSolids, the_obj_has_the_same_land_and_a_copy_of_a_model_for_every_pla
     ASSERT_EQ(indices.size(), faces.size());
     for (std::size_t i = 0; i < indices.size(); ++i) ASSERT_EQ(positions[indices[i]], obj.v.at(faces[i]));
   }
-  int plant_count[4]{};
-  for (std::size_t patch = 0; patch < plants.patches(); ++patch)
-    for (const sim::Plant& plant : plants.of(patch)) ++plant_count[static_cast<int>(plant.kind)];
-  const char* const names[]{"conifers", "broadleaves", "bushes", "rocks"};
-  for (int kind = 0; kind < 4; ++kind) {
-    if (plant_count[kind] == 0) continue;
-    const std::vector<std::uint32_t>& faces = obj.faces.at(names[kind]);
-    ASSERT_EQ(faces.size() % static_cast<std::size_t>(plant_count[kind]), 0u);
-    std::size_t far = 0;
-    for (const std::uint32_t i : faces) far += obj.v.at(i).y > ground.height(obj.v[i].x, obj.v[i].z) + 25;
-    EXPECT_EQ(far, 0u);
+  for (std::size_t kind = 0; kind < 4; ++kind) {
+    const std::vector<sim::Plant> there = plants_of(kind);
+    ASSERT_FALSE(there.empty());
+    const std::vector<std::uint32_t>& faces = obj.faces.at(kNames[kind]);
+    ASSERT_EQ(faces.size() % there.size(), 0u);
+    const std::size_t each = faces.size() / there.size();
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const sim::Plant& plant = there[i / each];
+      const glm::vec3 off = (obj.v.at(faces[i]) - plant.foot) / plant.size;
+      ASSERT_TRUE(std::hypot(off.x, off.z) < 3.5f && off.y > -0.7f && off.y < 10.1f) << kNames[kind];
+    }
   }
   ASSERT_FALSE(obj.vc.empty());
   for (const glm::vec3 c : obj.vc) ASSERT_TRUE(std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1);

@@ -102,17 +102,17 @@ TEST_F(DialogsTest, exports_hold_the_park_where_there_is_one_and_the_user_wants_
   const auto save_as = [&](const char* name) {
     key(Key::s, {.shift = true, .ctrl = true});
     frames(2);
-    type("Save as/Name", (folder / name).string());
+    type("Save as/Name", (folder / name).string(), false);
     commands_.clear();
   };
   session_.file.path = (folder / "own.json").string();
   key(Key::s, {.shift = true, .ctrl = true});
   frames(2);
-  EXPECT_EQ(find("Save as/With the park"), nullptr) << "there is none";
+  EXPECT_EQ(find("Save as/Park in glTF and OBJ"), nullptr) << "there is none";
   key(Key::escape);
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetLand{world::Land::meadow}).ok());
   save_as("a.svg");
-  click("Save as/With the park");
+  click("Save as/Park in glTF and OBJ");
   click("Save as/Save");
   ASSERT_EQ(all<edit::Save>().size(), 1u);
   EXPECT_FALSE(all<edit::Save>()[0].park.set) << "a drawing holds no land";
@@ -122,7 +122,7 @@ TEST_F(DialogsTest, exports_hold_the_park_where_there_is_one_and_the_user_wants_
   EXPECT_TRUE(all<edit::Save>()[0].park.set) << "it is still ticked";
   EXPECT_NE(files_.read(folder / "a.mtl")->find("newmtl land"), std::string::npos);
   save_as("b.gltf");
-  click("Save as/With the park");
+  click("Save as/Park in glTF and OBJ");
   click("Save as/Save");
   ASSERT_EQ(all<edit::Save>().size(), 1u);
   EXPECT_FALSE(all<edit::Save>()[0].park.set);
