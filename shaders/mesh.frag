@@ -14,12 +14,17 @@ uniform sampler2D lamp_map;  // from above: r: half the light of lamps, g: their
 uniform int lamps;           // 1: they shine
 uniform float lamp_square;   // m, side of the map, about the origin
 uniform vec2 cast_heights;   // m, the lowest height, and the range
+uniform vec4 headlights[8];  // of trains, in pairs: place (m), then direction
+uniform int headlight_count;
 #endif
 in vec3 world;
 in vec3 facing;
 flat in float material;
 in float along;
 flat in float segment;
+#ifdef SHADED
+in float hidden;  // part of the sky; at most 1, below 0: none
+#endif
 out vec4 colour;
 
 // Returns the paint of a material: its own, or that of the segment's section.
@@ -48,13 +53,13 @@ vec3 value_colour() {
   return mix(stops[stop], stops[stop + 1], part - float(stop));
 }
 
-// Returns the linear light of a painted surface; `sun`: fraction of sunlight on it.
-vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
-  vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y);
+// Returns the linear light of a painted surface; `sun`: fraction of sunlight on it, `open`: of the sky's.
+vec3 lit(vec3 paint_light, float shiny, float sun, float open, vec3 normal, vec3 to_eye) {
+  vec3 ambient = mix(air.ground_light.rgb, air.sky_light.rgb, 0.5 + 0.5 * normal.y) * open;
   vec3 light = paint_light * (air.sun_light.rgb * sun + ambient);
   float upright = max(dot(normal, to_eye), 0.0);
   float grazing = (1.0 - upright) * (1.0 - upright);
-  float mirror = shiny * air.sun_light.w * (0.04 + 0.5 * grazing * grazing * (1.0 - upright));
+  float mirror = open * shiny * air.sun_light.w * (0.04 + 0.5 * grazing * grazing * (1.0 - upright));
   vec3 bounce = reflect(-to_eye, normal);
   vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb),
                   sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
@@ -86,13 +91,25 @@ void main() {
     light =
         mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
   } else {
-    light = lit(own, materials[clamp(part, 0, 22)].w, sun, normal, to_eye);
+    float open = 1.0;
+#ifdef SHADED
+    float dark = clamp(hidden, 0.0, 1.0);
+    open = 1.0 - dark * (1.0 - 0.3 * dark);
+#endif
+    light = lit(own, materials[clamp(part, 0, 22)].w, sun, open, normal, to_eye);
     if (part == 4) light += air.ground_light.w * own;
 #ifdef PARK
     for (int i = 0; i < lamps; ++i) {
       vec2 there = textureLod(lamp_map, world.xz / lamp_square + 0.5, 0.0).rg;
       float over = (world.y - cast_heights.x - there.g * cast_heights.y) / 7.0;
-      light += own * vec3(1.0, 0.62, 0.30) * (1.5 * there.r / (1.0 + over * over));
+      float within = part > 11 && part < 19 ? 0.45 : 0.0;  // of cars: seats and riders
+      light += own * vec3(1.0, 0.62, 0.30) * (1.5 * there.r / (1.0 + over * over) + within);
+    }
+    for (int i = 0; i < headlight_count; ++i) {
+      vec3 to = headlights[2 * i].xyz - world;
+      float far = dot(to, to), ahead = -dot(to, headlights[2 * i + 1].xyz) * inversesqrt(far);
+      light += own * vec3(1.0, 0.86, 0.62) * (60.0 * smoothstep(0.86, 0.98, ahead) / (far + 40.0)) *
+               max(dot(normal, to) * inversesqrt(far) + 0.15, 0.0);
     }
 #endif
   }

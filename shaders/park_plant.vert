@@ -4,13 +4,14 @@ layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 paint;  // square roots of linear light; a: ambient light
 layout(location = 4) in vec4 foot;   // w: size
 layout(location = 5) in vec2 turn;   // cosine and sine
-layout(location = 6) in vec3 look;   // tint, sun at the crown, half of the lamps' light
+layout(location = 6) in vec4 look;   // tint, sun at the crown, half of the lamps' light, sinking in parts of 8 m
 uniform mat4 view_projection;
 #ifdef SHADOW
 out vec3 world;
 #else
 uniform vec3 eye;
 uniform float snow;  // 0..1, on what faces up
+uniform float sunk;  // part of the sinking: 1 where the land is drawn coarsely
 uniform float room;  // m about the eye that plants leave free
 out vec3 light;      // with the air before it
 #endif
@@ -19,6 +20,9 @@ vec3 turned(vec3 at) { return vec3(turn.x * at.x - turn.y * at.z, at.y, turn.y *
 
 void main() {
   vec3 at = foot.xyz + foot.w * turned(position * vec3(0.9 + 0.25 * look.x, 1.0, 0.9 + 0.25 * look.x));
+#ifndef SHADOW
+  at.y -= 8.0 * sunk * look.w;
+#endif
   gl_Position = view_projection * vec4(at, 1.0);
 #ifdef SHADOW
   world = at;

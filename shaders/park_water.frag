@@ -48,8 +48,10 @@ void main() {
   body *= 1.0 + 0.16 * (swell.x + swell.y);
   vec3 light = mix(body, seen, fresnel);
   light += 0.5 * baked_light.y * vec3(1.0, 0.62, 0.30) * (0.06 + 0.3 * fresnel);
-  float glint = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0), glint_2 = glint * glint;
-  light += sunlight * 2.2 * to_90(glint) * glint_2 * glint_2 * glint_2 * glint_2;
+  // Of gentler waves than the mirror's: a path of light towards the sun, not a field of sparks.
+  vec3 gentle = normalize(vec3(0.45 * normal.x, 1.0, 0.45 * normal.z));
+  float glint = to_90(max(dot(gentle, normalize(air.sun.xyz + to_eye)), 0.0));
+  light += sunlight * 2.0 * glint * glint;
   float foam = 0.40 * waves * (1.0 - smoothstep(0.0, 0.20, depth + 0.22 * swell.x));
   light = mix(light, 0.8 * over, foam);
   float alpha = max(mix(0.30, 0.94, 1.0 - exp(-1.1 * max(depth, 0.0))), max(fresnel, foam));

@@ -1,6 +1,7 @@
 #include "app/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/console.h"
@@ -36,6 +37,25 @@ const sim::ElementPlan* shown_closing(const edit::SessionFindings& find, const P
   const std::vector<sim::CircuitProposal>& ways = find.circuit().list;
   const auto wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
   return ways.empty() ? nullptr : &ways[std::min(wanted, ways.size() - 1)].plan;
+}
+
+// Returns the water that cars throw up where their rails are near some.
+std::vector<gfx::Splash> find_splashes(const edit::Session& session, const sim::Ground& ground,
+                                       std::span<const sim::Pose> cars) {
+  constexpr double kReach = 1.5, kSlow = 4, kFast = 20;  // m from the water; m/s
+  std::vector<gfx::Splash> splashes;
+  std::size_t trains = 0;
+  for (const sim::Pose& car : cars) {
+    trains += car.leads ? 1 : 0;
+    if (trains == 0 || trains > session.motion.carts.size()) continue;
+    const double speed = std::fabs(session.motion.carts.items()[trains - 1].speed);
+    const glm::dvec3 at = car.position, way(car.frame.forward.x, 0, car.frame.forward.z);
+    const double near = 1 - std::fabs(at.y - ground.water()) / kReach;
+    if (near <= 0 || speed < kSlow || glm::length(way) < 0.3 || ground.height(at.x, at.z) > ground.water()) continue;
+    splashes.push_back({glm::vec3(at.x, ground.water(), at.z), glm::vec3(glm::normalize(way)),
+                        static_cast<float>(std::fmin(speed / kFast, 1) * std::sqrt(near))});
+  }
+  return splashes;
 }
 
 // Seats different people in every other car, who raise their arms where they nearly float.
@@ -116,6 +136,9 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
   scene.supports = seen.supports;
   scene.document = &session.document;
   add_surroundings(scene, edit::SessionFindings(program.session), session.settings.look->scenery);
+  std::vector<gfx::Splash> splashes;
+  if (scene.scenery != world::Scenery::plain && !scene.ground->plain())
+    scene.splashes = splashes = find_splashes(session, *scene.ground, carts);
   scene.eye_room = seen.marked.riding ? 0 : kEyeRoom;
   // A ride moves the waves; otherwise pictures of one scene are equal.
   if (session.motion.state != world::RideState::stopped)

@@ -16,9 +16,11 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
+#include "edit/session/findings.h"
 #include "script/grammar.h"
 #include "script/runner.h"
 #include "script/widget_lookup.h"
+#include "sim/ground/ground.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
@@ -78,9 +80,14 @@ base::Status frame(Program& program, platform::Events events, int ticks) {
   return {};
 }
 
-base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim) {
-  const edit::Session& session = program.session;
-  if (aim.kind == view::PickKind::none) return aim.position;
+base::Result<glm::vec3> position_of(Program& program, const AimPoint& aim) {
+  edit::Session& session = program.session;
+  if (aim.kind == view::PickKind::none) {
+    glm::vec3 place = aim.position;
+    if (aim.on_ground)
+      place.y = static_cast<float>(edit::SessionFindings(session).ground().surface(double{place.x}, double{place.z}));
+    return place;
+  }
   if (view::is_gizmo(aim.kind)) {
     const auto gizmo = view::gizmo_of(session.document, session.settings, program.picture.view);
     if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
@@ -109,7 +116,7 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
 }
 
 // Returns a car's middle, or the nearest pixel of the car if a mark covers it, as a user would click.
-glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middle) {
+glm::vec2 uncovered(Program& program, const AimPoint& aim, glm::vec2 middle) {
   const edit::Session& session = program.session;
   const view::Pick wanted{view::PickKind::cart, world::find(session.document, aim.name)};
   const auto is_cart = [&](glm::vec2 at) {
@@ -128,7 +135,7 @@ glm::vec2 uncovered(const Program& program, const AimPoint& aim, glm::vec2 middl
 }
 
 // Only selected knots show handles.
-base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
+base::Result<glm::vec2> pixel_of(Program& program, const AimPoint& aim) {
   const auto position = position_of(program, aim);
   if (!position) return position.status();
   const view::View& view = program.picture.view;

@@ -1,21 +1,198 @@
 #include "gfx/land_cache.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+
+#include "sim/ground/land_paint.h"
 
 namespace coaster::gfx {
 namespace {
 
+constexpr float kFine = 120, kMiddling = 260;  // m up to which steps are 1 and 2
+constexpr int kSnap = 4;                       // cells between vertices of a snapped border
+
+constexpr std::array<float, 9> kRings{1, 1.06f, 1.25f, 1.6f, 2.2f, 3.2f, 5, 9, kFarthestLand};
+constexpr int kAroundSide = 48;  // vertices along a side of all rings but the first
+constexpr int kBorder = 4;       // cells between the first ring's vertices
+
+// Point i of n along side 0..3 of the square with corners at -1 and 1.
+glm::vec2 on_side(int side, float along) {
+  const float t = 2 * along - 1;
+  switch (side) {
+    case 0: return {t, -1};
+    case 1: return {1, t};
+    case 2: return {-t, 1};
+    default: return {-1, -t};
+  }
+}
+
+sim::LandVertex vertex_at(const sim::Ground& ground, glm::vec2 at, float height) {
+  const world::Park& park = ground.land().park();
+  const double x = double{at.x}, z = double{at.y}, e = 6;
+  const sim::Land& land = ground.land();
+  const glm::dvec3 slope(land.seeded(x - e, z) - land.seeded(x + e, z), 2 * e,
+                         land.seeded(x, z - e) - land.seeded(x, z + e));
+  const glm::vec3 normal(glm::normalize(slope));
+  const float wood = sim::far_woods(park, x, z);
+  const glm::vec3 paint = sim::land_paint(park, {x, z, height, normal.y, wood, 0});
+  sim::LandVertex vertex;
+  vertex.position = {at.x, height, at.y};
+  for (int i = 0; i < 3; ++i) {
+    vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
+    vertex.paint[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(255 * std::sqrt(glm::clamp(paint[i], 0.0f, 1.0f))));
+  }
+  vertex.paint[3] = static_cast<std::uint8_t>(std::lround(255 * 0.94f * (1 - 0.35f * wood)));
+  return vertex;
+}
+
 constexpr std::size_t kPatchVertices = std::size_t{sim::LandPatch::kSide} * sim::LandPatch::kSide;
 constexpr std::size_t kPatchIndices = std::size_t{6} * world::kGroundTileCells * world::kGroundTileCells;
 
-void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride,
-                    std::size_t offset) {
-  gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, components, type, GL_TRUE, GLsizei(stride), reinterpret_cast<const void*>(offset));
+}  // namespace
+
+bool may_show(const glm::mat4& m, const Box& box) {
+  const auto row = [&](int i) { return glm::vec4(m[0][i], m[1][i], m[2][i], m[3][i]); };
+  const glm::vec4 w = row(3);
+  for (int i = 0; i < 3; ++i) {
+    for (const float sign : {1.0f, -1.0f}) {
+      const glm::vec4 plane = w + sign * row(i);
+      // The corner farthest along the plane's normal.
+      const glm::vec3 corner(plane.x > 0 ? box.high.x : box.low.x, plane.y > 0 ? box.high.y : box.low.y,
+                             plane.z > 0 ? box.high.z : box.low.z);
+      if (glm::dot(glm::vec3(plane), corner) + plane.w < 0) return false;
+    }
+  }
+  return true;
 }
 
-}  // namespace
+float distance_to(const Box& box, glm::vec3 from) {
+  return glm::length(glm::max(glm::max(box.low - from, from - box.high), glm::vec3(0)));
+}
+
+std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patches, const glm::mat4& view_projection,
+                                          glm::vec3 eye, float near) {
+  const int across = static_cast<int>(std::lround(std::sqrt(static_cast<double>(patches.size()))));
+  std::vector<Box> boxes(patches.size());
+  std::vector<std::uint8_t> steps(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const sim::LandPatch& patch = patches[i];
+    boxes[i] = {patch.vertices.front().position, patch.vertices.back().position};
+    boxes[i].low.y = patch.low, boxes[i].high.y = patch.high + kPlantHeight;
+    const float metres = distance_to(boxes[i], eye);
+    steps[i] = metres < near * kFine ? 1 : metres < near * kMiddling ? 2 : 4;
+  }
+  // A patch with open cells has all its vertices, and so have its neighbours, whose borders it shares.
+  const auto around = [&](std::size_t i, auto&& visit) {
+    const int x = static_cast<int>(i) % across, z = static_cast<int>(i) / across;
+    const std::array<std::array<int, 2>, 4> beside{{{x - 1, z}, {x + 1, z}, {x, z - 1}, {x, z + 1}}};
+    for (int side = 0; side < 4; ++side) {
+      const auto [column, row] = beside[static_cast<std::size_t>(side)];
+      const bool inside = column >= 0 && row >= 0 && column < across && row < across;
+      visit(side, inside ? &steps[static_cast<std::size_t>(row * across + column)] : nullptr);
+    }
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (!patches[i].open) continue;
+    steps[i] = 1;
+    around(i, [](int, std::uint8_t* step) {
+      if (step) *step = 1;
+    });
+  }
+  std::vector<VisiblePatch> visible;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (!may_show(view_projection, boxes[i])) continue;
+    VisiblePatch patch{i, distance_to(boxes[i], eye), steps[i], 0};
+    around(i, [&](int side, const std::uint8_t* step) {
+      if (steps[i] > 1 || step == nullptr || *step > 1) patch.snapped |= static_cast<std::uint8_t>(1 << side);
+    });
+    visible.push_back(patch);
+  }
+  std::ranges::sort(visible, [](const VisiblePatch& a, const VisiblePatch& b) {
+    return a.metres != b.metres ? a.metres < b.metres : a.index < b.index;
+  });
+  return visible;
+}
+
+std::vector<std::uint16_t> patch_indices(int step, std::uint8_t snapped) {
+  constexpr int kCells = world::kGroundTileCells;
+  const auto vertex = [&](int x, int z) {
+    const auto snap = [](int v) { return (v + kSnap / 2) / kSnap * kSnap; };
+    const bool across = (x == 0 && (snapped & 1)) || (x == kCells && (snapped & 2)),
+               along = (z == 0 && (snapped & 4)) || (z == kCells && (snapped & 8));
+    if (across) z = snap(z);
+    if (along) x = snap(x);
+    return static_cast<std::uint16_t>(z * sim::LandPatch::kSide + x);
+  };
+  std::vector<std::uint16_t> indices;
+  const auto add = [&](std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+    if (a != b && b != c && c != a) indices.insert(indices.end(), {a, b, c});
+  };
+  for (int z = 0; z < kCells; z += step) {
+    for (int x = 0; x < kCells; x += step) {
+      const std::uint16_t a = vertex(x, z), b = vertex(x + step, z), c = vertex(x, z + step),
+                          d = vertex(x + step, z + step);
+      // Diagonals by turns, so that slopes are not combed to one side.
+      if ((x / step + z / step) % 2 == 0) add(a, c, d), add(a, d, b);
+      else add(a, c, b), add(b, c, d);
+    }
+  }
+  return indices;
+}
+
+FarLand far_land(const sim::Ground& ground, const sim::LandField& field) {
+  FarLand far;
+  const int first_side = field.across / kBorder;  // of the first ring
+  const float half = 0.5f * static_cast<float>(field.across) * static_cast<float>(world::kGroundCell);
+  std::vector<std::uint32_t> begins;
+  for (std::size_t ring = 0; ring < kRings.size(); ++ring) {
+    begins.push_back(static_cast<std::uint32_t>(far.vertices.size()));
+    const int along = ring == 0 ? first_side : kAroundSide;
+    for (int i = 0; i < 4 * along; ++i) {
+      const glm::vec2 way = on_side(i / along, static_cast<float>(i % along) / static_cast<float>(along));
+      const auto column = static_cast<int>(std::lround(0.5f * (way.x + 1) * static_cast<float>(field.across))),
+                 row = static_cast<int>(std::lround(0.5f * (way.y + 1) * static_cast<float>(field.across)));
+      // On the border exactly where the patches' vertices are.
+      const auto cell = static_cast<float>(world::kGroundCell);
+      const glm::vec2 at =
+          ring == 0 ? glm::vec2(cell * static_cast<float>(column) - half, cell * static_cast<float>(row) - half)
+                    : half * kRings[ring] * way;
+      const float height =
+          ring == 0 ? field.height(column, row) : static_cast<float>(ground.land().seeded(double{at.x}, double{at.y}));
+      far.vertices.push_back(vertex_at(ground, at, height));
+      far.low = std::min(far.low, height), far.high = std::max(far.high, height);
+    }
+  }
+  for (int side = 0; side < 4; ++side) {
+    far.sides[static_cast<std::size_t>(side)] = static_cast<std::uint32_t>(far.indices.size());
+    for (std::size_t ring = 0; ring + 1 < kRings.size(); ++ring) {
+      const int inner = ring == 0 ? first_side : kAroundSide, fan = inner / kAroundSide;
+      const auto in = [&](int i) { return static_cast<std::uint16_t>(begins[ring] + std::uint32_t(i % (4 * inner))); };
+      const auto out = [&](int i) {
+        return static_cast<std::uint16_t>(begins[ring + 1] + std::uint32_t(i % (4 * kAroundSide)));
+      };
+      // A fan of the inner vertices to the nearer of two outer ones, and a triangle between the fans.
+      for (int j = side * kAroundSide; j < (side + 1) * kAroundSide; ++j) {
+        for (int i = 0; i < fan; ++i)
+          far.indices.insert(far.indices.end(),
+                             {in(j * fan + i), in(j * fan + i + 1), out(i < (fan + 1) / 2 ? j : j + 1)});
+        far.indices.insert(far.indices.end(), {in(j * fan + (fan + 1) / 2), out(j + 1), out(j)});
+      }
+    }
+  }
+  far.sides[4] = static_cast<std::uint32_t>(far.indices.size());
+  return far;
+}
+
+void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride, std::size_t offset,
+                    GLuint divisor) {
+  gl.EnableVertexAttribArray(location);
+  gl.VertexAttribPointer(location, components, type, GL_TRUE, GLsizei(stride), reinterpret_cast<const void*>(offset));
+  gl.VertexAttribDivisor(location, divisor);
+}
 
 void land_attributes(const Gl& gl, GLuint buffer, std::size_t first) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);

@@ -1,20 +1,62 @@
-// The land on the GPU: vertices of each patch in a place of its own, written only where it changed, and lists of
-// triangles that patches share.
+// The land on the GPU: which patches a view shows, and how finely; the land beyond the square; and buffers that are
+// written only where the land changed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "gfx/growing_buffer.h"
-#include "gfx/park/far_land.h"
-#include "gfx/park/visible_patches.h"
 #include "sim/ground/land_mesh.h"
 
 namespace coaster::gfx {
 
+struct Box {
+  glm::vec3 low{0}, high{0};  // m
+};
+// Returns false if nothing of the box can be in the picture.
+bool may_show(const glm::mat4& view_projection, const Box& box);
+// Returns the distance from a point to a box; 0 inside.
+float distance_to(const Box& box, glm::vec3 from);
+
+struct VisiblePatch {
+  std::size_t index = 0;
+  float metres = 0;  // from the eye to its box
+  int step = 1;      // cells along a side of the drawn ones: 1, 2 or 4
+  // Sides on whose border every fourth vertex is drawn, as by the patch beyond: bits 0 to 3 for -x, +x, -z, +z. All of
+  // them with steps above 1.
+  std::uint8_t snapped = 0;
+};
+inline constexpr std::uint8_t kAllSides = 15;
+inline constexpr float kPlantHeight = 14;  // m over the land that a patch's box includes
+
+// Returns the patches in the picture, the nearest first. `near` scales the distances up to which they are fine.
+std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patches, const glm::mat4& view_projection,
+                                          glm::vec3 eye, float near);
+
+// Returns the triangles of a patch with a step and its snapped sides, as indices of its vertices.
+std::vector<std::uint16_t> patch_indices(int step, std::uint8_t snapped);
+
+// The land beyond the square: rings of triangles out to the horizon, which begin at the square's edge.
+struct FarLand {
+  std::vector<sim::LandVertex> vertices;
+  std::vector<std::uint16_t> indices;    // by the sides of the square
+  std::array<std::uint32_t, 5> sides{};  // where each side's indices begin, and their end
+  float low = 0, high = 0;               // m
+};
+// Returns the far land around the ground's square, whose patches' borders at every fourth vertex it continues.
+FarLand far_land(const sim::Ground& ground, const sim::LandField& field);
+
+inline constexpr float kFarthestLand = 18;  // half sides of the square, level, along an axis
+
+// Sets an attribute of bytes from the bound buffer: parts of 255, or of 127 if they are signed.
+void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride, std::size_t offset,
+                    GLuint divisor = 0);
 // Set attributes 0 to 2, and 3, of the bound vertex array from a buffer, from a vertex on.
 void land_attributes(const Gl& gl, GLuint buffer, std::size_t first);
 void light_attribute(const Gl& gl, GLuint buffer, std::size_t first);

@@ -23,6 +23,7 @@ void mesh_attributes(const Gl& gl) {
   float_attribute(gl, 0, 3, kStride, offsetof(sim::MeshVertex, position));
   float_attribute(gl, 1, 3, kStride, offsetof(sim::MeshVertex, normal));
   float_attribute(gl, 2, 1, kStride, offsetof(sim::MeshVertex, part));
+  float_attribute(gl, 7, 2, kStride, offsetof(sim::MeshVertex, along));
 }
 
 bool reaches(const glm::mat4& light, glm::vec3 middle, float radius) {
@@ -150,7 +151,7 @@ void MeshPool::bind(const Level& level) const {
   gl_->BindVertexArray(level.array.id());
   for (GLuint column = 0; column < 4; ++column)
     gl_->VertexAttrib4f(3 + column, column == 0, column == 1, column == 2, column == 3);
-  gl_->VertexAttrib4f(kEndAttribute, 0, 0, 0, 1);
+  gl_->VertexAttrib4f(kEndAttribute, -1, 0, 0, 1);
 }
 
 void MeshPool::draw(const Level& level, const std::vector<Range>& runs) const {
@@ -189,7 +190,6 @@ void MeshPool::link() {
     gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, level.buffer.id());
     mesh_attributes(*gl_);
-    float_attribute(*gl_, 7, 2, sizeof(sim::MeshVertex), offsetof(sim::MeshVertex, along));
   }
   gl_->BindVertexArray(0);
 }

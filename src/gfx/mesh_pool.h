@@ -23,9 +23,10 @@ struct Stopwatch {
   }
 };
 
-// Sets the attributes 0 position, 1 normal and 2 part of the bound vertex array from the bound buffer of MeshVertex.
+// Sets the attributes 0 position, 1 normal, 2 part and 7 place of the bound vertex array from the bound buffer of
+// MeshVertex.
 void mesh_attributes(const Gl& gl);
-// The attribute that selects the second ring of a SweptPiece (gfx/swept_track.h); a constant 0 for all other meshes.
+// The attribute that selects the second ring of a SweptPiece (gfx/swept_track.h); a constant -1 for all other meshes.
 inline constexpr GLuint kEndAttribute = 12;
 
 // The statistics of drawing into a shadow map.

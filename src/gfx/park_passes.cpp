@@ -8,13 +8,48 @@
 
 #include "gfx/land_cache.h"
 #include "gfx/mesh_pool.h"
-#include "gfx/park/grain.h"
 #include "gfx/plant_cache.h"
 #include "sim/ground/fixtures.h"
+#include "sim/ground/noise.h"
 #include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 namespace {
+
+constexpr int kGrainSide = 256;  // texels
+
+// Noise of `cells` cells along the picture's side, 0..1.
+double repeated(int x, int y, int cells, std::uint32_t seed) {
+  const double at_x = (x + 0.5) * cells / kGrainSide, at_y = (y + 0.5) * cells / kGrainSide;
+  const int i = static_cast<int>(at_x), j = static_cast<int>(at_y);
+  const auto value = [&](int dx, int dy) { return sim::random_at((i + dx) % cells, (j + dy) % cells, seed); };
+  const double u = sim::smooth_step(0, 1, at_x - i), v = sim::smooth_step(0, 1, at_y - j);
+  return sim::mixed(sim::mixed(value(0, 0), value(1, 0), u), sim::mixed(value(0, 1), value(1, 1), u), v);
+}
+
+struct Octave {
+  int cells;
+  double part;
+};
+std::uint8_t summed(int x, int y, std::initializer_list<Octave> octaves, std::uint32_t seed) {
+  double sum = 0;
+  for (const Octave& octave : octaves)
+    sum += octave.part * repeated(x, y, octave.cells, seed + static_cast<std::uint32_t>(octave.cells));
+  return static_cast<std::uint8_t>(std::lround(255 * sum));
+}
+
+// Two bytes for each texel: coarse grain, and fine grain, without a seam.
+std::vector<std::uint8_t> make_grain() {
+  std::vector<std::uint8_t> texels;
+  texels.reserve(std::size_t{2} * kGrainSide * kGrainSide);
+  for (int y = 0; y < kGrainSide; ++y) {
+    for (int x = 0; x < kGrainSide; ++x) {
+      texels.push_back(summed(x, y, {{8, 0.5}, {16, 0.25}, {32, 0.15}, {64, 0.1}}, 1));
+      texels.push_back(summed(x, y, {{32, 0.25}, {64, 0.35}, {128, 0.4}}, 1001));
+    }
+  }
+  return texels;
+}
 
 // A texture of the grain, with mipmaps.
 GlObject make_grain_texture(const Gl& gl) {
@@ -42,6 +77,9 @@ Box box_of(const sim::LandPatch& patch) {
   return box;
 }
 
+// Factor of the distances up to which rich scenery is drawn finely.
+float nearness(const PassContext& pass) { return pass.scene.scenery == world::Scenery::rich ? 1.7f : 1; }
+
 // True for orthographic views along the ground. There the land is a backdrop that hides no track.
 bool along_ground(const view::View& view) { return view.parallel > 0 && line_of_sight(view).y > -0.5f; }
 
@@ -49,7 +87,14 @@ bool along_ground(const view::View& view) { return view.parallel > 0 && line_of_
 
 struct ParkPasses::Parts {
   explicit Parts(const Gl& of)
-      : gl(of), land(of), plants(of), fixture_vertices(of), fixture_light(of), fixture_indices(of), lamp_buffer(of) {}
+      : gl(of),
+        land(of),
+        plants(of),
+        fixture_vertices(of),
+        fixture_light(of),
+        fixture_indices(of),
+        lamp_buffer(of),
+        headlight_buffer(of) {}
   const Gl& gl;
   sim::LandMesh mesh;
   LandCache land;
@@ -63,13 +108,14 @@ struct ParkPasses::Parts {
   std::uint64_t ground_build = 0, fixture_version = 1;
   bool lit = false;
   std::vector<sim::Lamp> lamps, lights;  // all; those that shine
-  GrowingBuffer<glm::vec4> lamp_buffer;
-  GlObject lamp_array, lamp_map, grain;
+  GrowingBuffer<glm::vec4> lamp_buffer, headlight_buffer;
+  GlObject lamp_array, headlight_array, lamp_map, grain;
   std::vector<VisiblePatch> visible;
   glm::vec2 heights{0};  // m, from the lowest land to the highest caster
   float lowest = 0;      // m, of the land
 
   std::int64_t write_fixtures(sim::FixtureMesh made);
+  void write_glows(std::span<const glm::vec4> glows, GrowingBuffer<glm::vec4>& buffer, GlObject& array);
 };
 
 ParkPasses::ParkPasses(const Gl& gl) : parts_(std::make_unique<Parts>(gl)) {}
@@ -93,6 +139,16 @@ std::int64_t ParkPasses::Parts::write_fixtures(sim::FixtureMesh made) {
   return bytes_of(fixtures.vertices) + bytes_of(fixtures.light) + bytes_of(fixtures.indices);
 }
 
+void ParkPasses::Parts::write_glows(std::span<const glm::vec4> glows, GrowingBuffer<glm::vec4>& buffer,
+                                    GlObject& array) {
+  buffer.fill(glows);
+  if (array.id() == 0) array = make_vertex_array(gl);
+  gl.BindVertexArray(array.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  float_attribute(gl, 0, 4, sizeof(glm::vec4), 0, 1);
+  gl.BindVertexArray(0);
+}
+
 // Writes the glow of lamps and their light on solids.
 void ParkPasses::upload_lamps(const Scene& scene, const SceneStyle& style) {
   Parts& parts = *parts_;
@@ -112,12 +168,7 @@ void ParkPasses::upload_lamps(const Scene& scene, const SceneStyle& style) {
   }
   std::vector<glm::vec4> glows;
   for (const sim::Lamp& lamp : parts.lights) glows.emplace_back(lamp.at, lamp.strength);
-  parts.lamp_buffer.fill(glows);
-  if (parts.lamp_array.id() == 0) parts.lamp_array = make_vertex_array(gl);
-  gl.BindVertexArray(parts.lamp_array.id());
-  gl.BindBuffer(GL_ARRAY_BUFFER, parts.lamp_buffer.id());
-  float_attribute(gl, 0, 4, sizeof(glm::vec4), 0, 1);
-  gl.BindVertexArray(0);
+  parts.write_glows(glows, parts.lamp_buffer, parts.lamp_array);
 }
 
 void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& stats) {
@@ -158,7 +209,7 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
 glm::vec2 ParkPasses::cast_heights() const { return parts_->heights; }
 
 void ParkPasses::look(const PassContext& pass) {
-  parts_->visible = visible_patches(parts_->mesh.patches(), pass.view_projection, pass.scene.view.eye, 1);
+  parts_->visible = visible_patches(parts_->mesh.patches(), pass.view_projection, pass.scene.view.eye, nearness(pass));
 }
 
 SunShadows::ParkCasters ParkPasses::casters(const PassContext& pass) const {
@@ -237,24 +288,36 @@ void ParkPasses::draw_fixtures(const PassContext& pass, const ShaderProgram& pro
 }
 
 void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows) const {
-  const Parts& parts = *parts_;
+  Parts& parts = *parts_;
   const ShaderProgram& program = pass.use(SceneProgram::plant);
   program.set("view_projection", pass.view_projection);
   program.set("eye", pass.scene.view.eye);
   program.set("snow", pass.scene.ground->land().park().land == world::Land::snow ? 0.85f : 0.0f);
   program.set("room", pass.scene.eye_room);
   shadows.bind(program);
+  const auto add = [&](const PlantCache::Drawn& drawn) {
+    pass.stats.draw_calls += drawn.draw_calls, pass.stats.triangles += drawn.triangles;
+  };
   constexpr float kTapped = 150;  // m up to which plants stand in shadows
-  int taps = -1;
+  int taps = -1, step = 0;
   for (const VisiblePatch& patch : parts.visible) {
     if (patch.metres > sim::kPlantReach.back()) break;
     Box box = box_of(parts.mesh.patches()[patch.index]);
     box.high.y += kPlantHeight;
     const bool shaded = pass.scene.shadows && patch.metres < kTapped && shadows.track().reaches(box);
     if (taps != int(shaded)) program.set("taps", taps = int(shaded));
-    const PlantCache::Drawn drawn = parts.plants.draw(patch.index, pass.scene.view.eye, pass.scene.unseen);
-    pass.stats.draw_calls += drawn.draw_calls, pass.stats.triangles += drawn.triangles;
+    // Coarse land lies lower on ridges than trees stand.
+    if (step != patch.step) step = patch.step, program.set("sunk", step == 4 ? 1.0f : step == 2 ? 0.25f : 0.0f);
+    add(parts.plants.draw(patch.index, pass.scene.view.eye, nearness(pass), pass.scene.unseen));
   }
+  if (pass.scene.scenery != world::Scenery::rich || pass.scene.view.parallel > 0) return;
+  program.set("sunk", 0.0f);
+  program.set("room", 0.0f);
+  program.set("taps", pass.scene.shadows ? 1 : 0);
+  parts.gl.Disable(GL_CULL_FACE);
+  add(parts.plants.draw_grass(parts.mesh, *pass.scene.ground, pass.view_projection, pass.scene.view.eye,
+                              pass.scene.unseen));
+  parts.gl.Enable(GL_CULL_FACE);
 }
 
 void ParkPasses::draw_land(const PassContext& pass, const SunShadows& shadows) const {
@@ -293,11 +356,12 @@ void ParkPasses::draw_sky_and_water(const PassContext& pass, const SunShadows& s
 }
 
 void ParkPasses::draw_lamps(const PassContext& pass) const {
-  const Parts& parts = *parts_;
-  if (parts.lights.empty()) return;
+  Parts& parts = *parts_;
   const view::View& view = pass.scene.view;
-  const auto count = GLsizei(parts.lights.size());
-  parts.gl.BindVertexArray(parts.lamp_array.id());
+  std::vector<glm::vec4> headlights;
+  for (const sim::Pose& car : pass.scene.carts)
+    if (car.leads) headlights.emplace_back(headlight_of(car), 0.7f);
+  parts.write_glows(headlights, parts.headlight_buffer, parts.headlight_array);
   for (const SceneProgram name : {SceneProgram::lamp_streak, SceneProgram::lamp}) {
     if (name == SceneProgram::lamp_streak && pass.scene.ground->water() <= world::kNoWater) continue;
     const ShaderProgram& program = pass.use(name);
@@ -307,8 +371,14 @@ void ParkPasses::draw_lamps(const PassContext& pass) const {
     program.set("up", view::top_of(view));
     program.set("pixel", view::metres_per_pixel(view, 1) / (view.parallel > 0 ? view.parallel : 1));
     program.set("water", static_cast<float>(pass.scene.ground->water()));
-    if (!pass.scene.unseen) parts.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-    pass.count(std::int64_t{2} * count);
+    const auto draw = [&](const GlObject& array, std::size_t count) {
+      if (count == 0) return;
+      parts.gl.BindVertexArray(array.id());
+      if (!pass.scene.unseen) parts.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(count));
+      pass.count(2 * static_cast<std::int64_t>(count));
+    };
+    draw(parts.lamp_array, parts.lights.size());
+    draw(parts.headlight_array, headlights.size());
   }
 }
 

@@ -43,13 +43,16 @@ base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) 
       {"lawn", "#define NO_GRID\n", shade_glsl(), backdrop_vert(), ground_frag()},
       {"haloed_sky", "#define HALO\n", "", backdrop_vert(), sky_frag()},
       {"park_sky", "#define BEHIND\n#define HALO\n", "", backdrop_vert(), sky_frag()},
-      {"park_solid", "#define PARK\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"lawn_solid", "#define SHADED\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"park_solid", "#define PARK\n#define SHADED\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_outline", "#define PARK\n#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_shadow", "#define PARK\n#define SHADOW\n", "", mesh_vert(), shadow_frag()},
       {"land", "", shade_glsl(), park_land_vert(), park_land_frag()},
       {"land_drawing", "#define BLUEPRINT\n", shade_glsl(), park_land_vert(), park_land_frag()},
       {"plant", "", shade_glsl(), park_plant_vert(), park_plant_frag()},
       {"plant_shadow", "#define PARK\n#define SHADOW\n", "", park_plant_vert(), shadow_frag()},
+      {"contact", "", "", soft_quad_vert(), soft_quad_frag()},
+      {"spray", "#define SPRAY\n", "", soft_quad_vert(), soft_quad_frag()},
       {"water", "", shade_glsl(), park_water_vert(), park_water_frag()},
       {"lamp", "", "", park_lamp_vert(), park_lamp_frag()},
       {"lamp_streak", "#define STREAK\n", "", park_lamp_vert(), park_lamp_frag()},
@@ -173,8 +176,11 @@ float metres_of_pixels(const view::View& view, float pixels) {
 }
 
 // Returns the eye used for lighting: above the ground, so that an orthographic view from below is lit as well.
-glm::vec3 lit_from(const view::View& view) {
-  return view.parallel > 0 ? glm::vec3(view.eye.x, std::max(view.eye.y, view::kLowestEye), view.eye.z) : view.eye;
+glm::vec3 lit_from(const Scene& scene) {
+  glm::vec3 eye = scene.view.eye;
+  const double ground = scene.ground != nullptr ? scene.ground->surface(double{eye.x}, double{eye.z}) : 0;
+  if (scene.view.parallel > 0) eye.y = std::max(eye.y, static_cast<float>(ground) + view::kLowestEye);
+  return eye;
 }
 
 constexpr double kTieSpacing = 1.5;  // m, of steel; closer ties vanish no later
@@ -240,13 +246,24 @@ void set_materials(const PassContext& pass, const ShaderProgram& program, const 
   program.set("section_paints", kPaintUnit);
 }
 
+// Sets what lights the track before the first cars at night.
+void set_headlights(const PassContext& pass, const ShaderProgram& program) {
+  constexpr std::size_t kMost = 4;
+  std::vector<glm::vec4> lights;
+  for (const sim::Pose& car : pass.scene.carts)
+    if (car.leads && pass.lit && lights.size() < 2 * kMost)
+      lights.insert(lights.end(), {{headlight_of(car), 0}, {glm::vec3(car.frame.forward), 0}});
+  program.set("headlight_count", static_cast<int>(lights.size() / 2));
+  if (!lights.empty()) program.set("headlights", lights);
+}
+
 // Draws everything by a program, without the faces that are `hidden`.
 void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const TrackCache& track,
               const CarInstances& instances, const SectionPaint& paint, const SunShadows& shadows) {
   pass.gl.CullFace(hidden);
   const ShaderProgram& program = pass.use(name);
   program.set("view_projection", pass.view_projection);
-  program.set("eye", lit_from(pass.scene.view));
+  program.set("eye", lit_from(pass.scene));
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
   set_colouring(pass, program);
   set_materials(pass, program, paint);
@@ -257,6 +274,7 @@ void draw_all(const PassContext& pass, SceneProgram name, GLenum hidden, const T
     program.set("lamp_square",
                 static_cast<float>(pass.scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell));
     program.set("cast_heights", pass.cast_heights);
+    set_headlights(pass, program);
   }
   draw_track(pass, track);
   draw_carts(pass, instances);
@@ -373,6 +391,10 @@ void cast_carts(const PassContext& pass, const CarInstances& instances, const gl
   draw_carts(pass, instances);
 }
 
+glm::vec3 headlight_of(const sim::Pose& car) {
+  return glm::vec3(car.position + 1.2 * car.frame.forward + 0.45 * car.frame.up);
+}
+
 void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,
                  SectionPaint& paint, const SunShadows& shadows) {
   blend(pass.gl, false);
@@ -383,7 +405,9 @@ void draw_solids(const PassContext& pass, const TrackCache& track, const CarInst
   paint.bind(kPaintUnit);
   const SceneProgram outline = pass.park ? SceneProgram::park_outline : SceneProgram::outline;
   if (pass.scenery.drawing) draw_all(pass, outline, GL_FRONT, track, instances, paint, shadows);
-  const SceneProgram solid = pass.park ? SceneProgram::park_solid : SceneProgram::solid;
+  const SceneProgram solid = pass.park              ? SceneProgram::park_solid
+                             : plain_backdrop(pass) ? SceneProgram::solid
+                                                    : SceneProgram::lawn_solid;
   draw_all(pass, solid, GL_BACK, track, instances, paint, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }

@@ -32,6 +32,7 @@ enum class SceneProgram {
   lawn,
   haloed_sky,
   park_sky,
+  lawn_solid,
   park_solid,
   park_outline,
   park_shadow,
@@ -39,6 +40,8 @@ enum class SceneProgram {
   land_drawing,
   plant,
   plant_shadow,
+  contact,
+  spray,
   water,
   lamp,
   lamp_streak
@@ -104,6 +107,9 @@ void draw_sky_behind(const PassContext& pass);
 // Draw track and trains into a shadow map; its texels are `texel_metres` wide.
 void cast_track(const PassContext& pass, TrackCache& track, const glm::mat4& light, float texel_metres);
 void cast_carts(const PassContext& pass, const CarInstances& instances, const glm::mat4& light);
+
+// Returns where the headlight of a first car is (m).
+glm::vec3 headlight_of(const sim::Pose& car);
 
 // Draws track and trains; in the blueprint style their outlines first, so that they show behind them.
 void draw_solids(const PassContext& pass, const TrackCache& track, const CarInstances& instances, ValueTexture& values,

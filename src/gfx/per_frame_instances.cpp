@@ -179,7 +179,7 @@ int CarInstances::draw_cars() const {
   for (const Model& model : models_) {
     if (model.count == 0) continue;
     gl_->BindVertexArray(model.array.id());
-    for (const GLuint location : {GLuint{7}, kEndAttribute}) gl_->VertexAttrib4f(location, 0, 0, 0, 1);
+    gl_->VertexAttrib4f(kEndAttribute, -1, 0, 0, 1);
     gl_->DrawElementsInstanced(GL_TRIANGLES, model.index_count, GL_UNSIGNED_INT, nullptr, model.count);
   }
   return car_draw_calls();

@@ -8,42 +8,51 @@ namespace coaster::gfx {
 namespace {
 
 constexpr float kTile = static_cast<float>(world::kGroundTileCells * world::kGroundCell);  // m
-constexpr float kCrownMiddle = 5;                                                          // m over the foot
+constexpr float kMostSunk = 8;     // m, as in shaders/park_plant.vert
+constexpr float kCrownMiddle = 5;  // m over the foot
 
-void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride, std::size_t offset,
-                    GLuint divisor) {
-  gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, components, type, GL_TRUE, GLsizei(stride), reinterpret_cast<const void*>(offset));
-  gl.VertexAttribDivisor(location, divisor);
+// Returns the height of a patch's land as it is drawn in cells of 8 m.
+float coarse_height(const sim::LandPatch& patch, glm::vec3 at) {
+  constexpr int kStep = 4;
+  constexpr auto kCell = static_cast<float>(kStep * world::kGroundCell);
+  const glm::vec2 from =
+      (glm::vec2(at.x, at.z) - glm::vec2(patch.vertices[0].position.x, patch.vertices[0].position.z)) / kCell;
+  constexpr int kLast = world::kGroundTileCells / kStep - 1;
+  const int x = std::clamp(static_cast<int>(from.x), 0, kLast), z = std::clamp(static_cast<int>(from.y), 0, kLast);
+  const auto height = [&](int dx, int dz) {
+    return patch.vertices[static_cast<std::size_t>((z + dz) * kStep * sim::LandPatch::kSide + (x + dx) * kStep)]
+        .position.y;
+  };
+  const glm::vec2 t = from - glm::vec2(x, z);
+  return std::min(glm::mix(glm::mix(height(0, 0), height(1, 0), t.x), glm::mix(height(0, 1), height(1, 1), t.x), t.y),
+                  glm::mix(0.5f * (height(0, 0) + height(1, 1)), 0.5f * (height(1, 0) + height(0, 1)), 0.5f));
 }
 
 }  // namespace
 
-PlantCache::PlantCache(const Gl& gl) : gl_(&gl), vertices_(gl), indices_(gl), instances_(gl) {}
+PlantCache::PlantCache(const Gl& gl) : gl_(&gl), vertices_(gl), indices_(gl), instances_(gl), grass_(gl) {}
 
 std::int64_t PlantCache::sync(const sim::Plants& plants, const sim::LandMesh& land) {
   if (array_.id() == 0) {
     std::vector<sim::LandVertex> vertices;
     std::vector<std::uint16_t> indices;
-    for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind) {
-      for (std::size_t level = 0; level < sim::kPlantLevels; ++level) {
-        const sim::PlantModel model =
-            sim::plant_model(static_cast<sim::PlantKind>(kind), static_cast<sim::PlantLevel>(level));
-        models_[kind][level] = {static_cast<std::uint32_t>(indices.size()),
-                                static_cast<std::uint32_t>(model.indices.size())};
-        for (const std::uint16_t index : model.indices)
-          indices.push_back(static_cast<std::uint16_t>(vertices.size() + index));
-        vertices.insert(vertices.end(), model.vertices.begin(), model.vertices.end());
-      }
-    }
+    const auto add = [&](const sim::PlantModel& model) {
+      const Range range{static_cast<std::uint32_t>(indices.size()), static_cast<std::uint32_t>(model.indices.size())};
+      for (const std::uint16_t index : model.indices)
+        indices.push_back(static_cast<std::uint16_t>(vertices.size() + index));
+      vertices.insert(vertices.end(), model.vertices.begin(), model.vertices.end());
+      return range;
+    };
+    for (std::size_t kind = 0; kind < sim::kPlantKinds; ++kind)
+      for (std::size_t level = 0; level < sim::kPlantLevels; ++level)
+        models_[kind][level] =
+            add(sim::plant_model(static_cast<sim::PlantKind>(kind), static_cast<sim::PlantLevel>(level)));
+    for (std::size_t kind = 0; kind < sim::kMeadowKinds; ++kind) meadow_[kind] = add(sim::meadow_model(kind));
     vertices_.fill(vertices);
     indices_.fill(indices);
     array_ = make_vertex_array(*gl_);
     gl_->BindVertexArray(array_.id());
-    gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    float_attribute(*gl_, 0, 3, sizeof(sim::LandVertex), 0);
-    byte_attribute(*gl_, 1, 4, GL_BYTE, sizeof(sim::LandVertex), offsetof(sim::LandVertex, normal), 0);
-    byte_attribute(*gl_, 2, 4, GL_UNSIGNED_BYTE, sizeof(sim::LandVertex), offsetof(sim::LandVertex, paint), 0);
+    land_attributes(*gl_, vertices_.id(), 0);
     gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl_->BindVertexArray(0);
   }
@@ -91,12 +100,21 @@ void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, co
         made.foot = plant.foot, made.size = plant.size;
         made.turn = {static_cast<std::int8_t>(std::lround(127 * plant.turn.x)),
                      static_cast<std::int8_t>(std::lround(127 * plant.turn.y)), 0, 0};
-        made.look = {sim::byte_of(plant.tint), sim::byte_of(sun), there.lamp, 0};
+        made.look = {sim::byte_of(plant.tint), sim::byte_of(sun), there.lamp,
+                     sim::byte_of((plant.foot.y - coarse_height(ground, plant.foot)) / kMostSunk)};
       }
     }
     held.begins[kind][kAllGroups] = static_cast<std::uint16_t>(next);
   }
   instances_.write(patch * kMost, instances);
+}
+
+// Takes instances from `first` on from the bound buffer.
+void PlantCache::link(std::size_t first) const {
+  const std::size_t offset = first * sizeof(Instance);
+  float_attribute(*gl_, 4, 4, sizeof(Instance), offset, 1);
+  byte_attribute(*gl_, 5, 2, GL_BYTE, sizeof(Instance), offset + offsetof(Instance, turn), 1);
+  byte_attribute(*gl_, 6, 4, GL_UNSIGNED_BYTE, sizeof(Instance), offset + offsetof(Instance, look), 1);
 }
 
 // Draws neighbours of one kind at a level.
@@ -107,16 +125,13 @@ void PlantCache::draw_run(std::size_t patch, std::size_t kind, sim::PlantLevel l
   ++drawn.draw_calls;
   drawn.triangles += std::int64_t{model.size / 3} * static_cast<std::int64_t>(end - begin);
   if (unseen) return;
-  const std::size_t offset = (patch * kMost + begin) * sizeof(Instance);
-  float_attribute(*gl_, 4, 4, sizeof(Instance), offset, 1);
-  byte_attribute(*gl_, 5, 2, GL_BYTE, sizeof(Instance), offset + offsetof(Instance, turn), 1);
-  byte_attribute(*gl_, 6, 3, GL_UNSIGNED_BYTE, sizeof(Instance), offset + offsetof(Instance, look), 1);
+  link(patch * kMost + begin);
   gl_->DrawElementsInstanced(GL_TRIANGLES, GLsizei(model.size), GL_UNSIGNED_SHORT,
                              reinterpret_cast<const void*>(std::size_t{model.first} * sizeof(std::uint16_t)),
                              GLsizei(end - begin));
 }
 
-PlantCache::Drawn PlantCache::draw(std::size_t patch, glm::vec3 eye, bool unseen) const {
+PlantCache::Drawn PlantCache::draw(std::size_t patch, glm::vec3 eye, float near, bool unseen) const {
   Drawn drawn;
   const Held& held = held_[patch];
   if (!unseen) {
@@ -140,12 +155,45 @@ PlantCache::Drawn PlantCache::draw(std::size_t patch, glm::vec3 eye, bool unseen
         ++group;
         continue;
       }
-      const sim::PlantLevel level = sim::plant_level(metres[group]);
+      const sim::PlantLevel level = sim::plant_level(metres[group] / near);
       std::size_t end = group;
-      while (end < kAllGroups && metres[end] <= reach && sim::plant_level(metres[end]) == level) ++end;
+      while (end < kAllGroups && metres[end] <= reach && sim::plant_level(metres[end] / near) == level) ++end;
       draw_run(patch, kind, level, held.begins[kind][group], held.begins[kind][end], unseen, drawn);
       group = end;
     }
+  }
+  return drawn;
+}
+
+PlantCache::Drawn PlantCache::draw_grass(const sim::LandMesh& land, const sim::Ground& ground,
+                                         const glm::mat4& view_projection, glm::vec3 eye, bool unseen) {
+  std::array<std::vector<Instance>, sim::kMeadowKinds> kinds;
+  for (const sim::MeadowPlant& plant : sim::meadow_around(land, ground, eye)) {
+    const glm::vec4 at = view_projection * glm::vec4(plant.foot, 1);
+    if (at.w < -1 || std::fabs(at.x) > at.w + 1 || std::fabs(at.y) > at.w + 1) continue;
+    const sim::LandLight light = land.light_at(double{plant.foot.x}, double{plant.foot.z});
+    Instance& made = kinds[plant.kind].emplace_back();
+    made.foot = plant.foot, made.size = plant.size;
+    made.turn = {static_cast<std::int8_t>(std::lround(127 * plant.turn.x)),
+                 static_cast<std::int8_t>(std::lround(127 * plant.turn.y)), 0, 0};
+    made.look = {sim::byte_of(plant.tint), light.sun, light.lamp, 0};
+  }
+  std::vector<Instance> all;
+  for (const std::vector<Instance>& kind : kinds) all.insert(all.end(), kind.begin(), kind.end());
+  grass_.fill(all);
+  Drawn drawn;
+  std::size_t first = 0;
+  for (std::size_t kind = 0; kind < kinds.size(); first += kinds[kind++].size()) {
+    if (kinds[kind].empty()) continue;
+    ++drawn.draw_calls;
+    drawn.triangles += std::int64_t{meadow_[kind].size / 3} * static_cast<std::int64_t>(kinds[kind].size());
+    if (unseen) continue;
+    gl_->BindVertexArray(array_.id());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, grass_.id());
+    link(first);
+    gl_->DrawElementsInstanced(GL_TRIANGLES, GLsizei(meadow_[kind].size), GL_UNSIGNED_SHORT,
+                               reinterpret_cast<const void*>(std::size_t{meadow_[kind].first} * sizeof(std::uint16_t)),
+                               GLsizei(kinds[kind].size()));
   }
   return drawn;
 }

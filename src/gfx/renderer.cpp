@@ -10,7 +10,9 @@
 #include "gfx/gpu_curves.h"
 #include "gfx/park_passes.h"
 #include "gfx/passes.h"
+#include "gfx/soft_quads.h"
 #include "gfx/sun_shadows.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 
@@ -29,6 +31,7 @@ struct Renderer::Parts {
   CurveDeviation deviation{gl};
   SunShadows shadows{gl};
   ParkPasses park{gl};
+  SoftQuads quads{gl};
   GpuTimer polyline_timer{gl};
   GlObject empty_array = make_vertex_array(gl);  // for triangles without attributes
   FrameTargets targets{gl};
@@ -59,6 +62,7 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   instances.upload(scene.overlay, scene.carts, scene.view.eye, scene.derived.made.kind);
   if (ParkPasses::shows(scene)) park.upload(scene, scenery_of(scene.style), stats);
   stats.park_upload_bytes += track.sync_buildings(scene.stations);
+  if (scene.scenery != world::Scenery::plain && scene.ground != nullptr) quads.upload(scene, track.mesh_version());
 }
 
 Renderer::Renderer(const Gl& gl, int samples)
@@ -105,8 +109,11 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   parts.targets.begin(scene.view.viewport, around_of(scene.theme), scene.unseen);
   if (pass.park) parts.park.draw_land(pass, parts.shadows);
   else draw_backdrop(pass, parts.shadows);
+  const bool scenic = scene.scenery != world::Scenery::plain && scene.ground != nullptr && !scenery.drawing;
+  if (scenic) parts.quads.draw_contact(pass);
   draw_solids(pass, parts.track, parts.instances, parts.values, parts.paint, parts.shadows);
   if (pass.park) parts.park.draw_sky_and_water(pass, parts.shadows);
+  if (scenic) parts.quads.draw_spray(pass);
   draw_polyline(pass, parts.track, parts.gpu_curves, parts.polyline_timer);
   draw_overlay(pass, parts.instances);
   parts.targets.finish();

@@ -26,6 +26,12 @@ struct StationBuildings;
 
 namespace coaster::gfx {
 
+// Water that a car throws up on both sides.
+struct Splash {
+  glm::vec3 at{0}, forward{1, 0, 0};  // m, on the water below the car; unit, level
+  float strength = 0;                 // 0..1
+};
+
 // The scene to draw: const views of state that must outlive the call.
 struct Scene {
   const sim::DerivedTrack& derived;
@@ -45,6 +51,7 @@ struct Scene {
   const sim::Plants* plants = nullptr;              // null: none are drawn
   const sim::StationBuildings* stations = nullptr;  // null: platforms stand alone
   world::Scenery scenery{};
+  std::span<const Splash> splashes{};
   float eye_room = 0;  // m about the eye where no plants are drawn, so that none hides the track
   double seconds = 3;  // clock of waves, which only a ride moves on
   float detail = 1;    // factor of the distances from which on the track is coarse

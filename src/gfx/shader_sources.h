@@ -11,7 +11,8 @@
   X(line_vert) X(line_frag) X(mark_vert) X(mark_frag) X(gpu_vertex_vert) X(gpu_geometry_vert) X(gpu_geometry_geom) \
   X(gpu_tessellation_vert) X(gpu_tessellation_tesc) X(gpu_tessellation_tese) X(gpu_tessellation_geom) \
   X(park_land_vert) X(park_land_frag) X(park_plant_vert) X(park_plant_frag) \
-  X(park_water_vert) X(park_water_frag) X(park_lamp_vert) X(park_lamp_frag)
+  X(park_water_vert) X(park_water_frag) X(park_lamp_vert) X(park_lamp_frag) X(soft_quad_vert) \
+  X(soft_quad_frag)
 // clang-format on
 
 namespace coaster::embedded {

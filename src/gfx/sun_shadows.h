@@ -10,7 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "gfx/gl_objects.h"
-#include "gfx/park/visible_patches.h"
+#include "gfx/land_cache.h"
 #include "gfx/passes.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived_track.h"

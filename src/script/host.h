@@ -25,8 +25,9 @@ namespace coaster::script {
 struct AimPoint {
   view::PickKind kind = view::PickKind::none;  // none: a position of the world
   world::EntityName name;
-  double t = 0;           // on a curve
-  glm::vec3 position{0};  // for none
+  double t = 0;            // on a curve
+  glm::vec3 position{0};   // for none
+  bool on_ground = false;  // its height is that of ground or water there
 };
 
 // Session-wide settings of the env line.

@@ -123,7 +123,7 @@ bool read_target(WordReader& words, base::Token& word, AimPoint& point) {
   if (word.text != "ground" && word.text != "world") return read_entity(words, word, point);
   const auto position = words.vector("a coordinate (m)");
   if (position) point.position = *position;
-  if (word.text == "ground") point.position.y = 0;
+  point.on_ground = word.text == "ground";
   return position.has_value();
 }
 

@@ -36,6 +36,7 @@ class Park : public test::Studio {
     scene.style = style_, scene.shadows = shadows_, scene.scenery = scenery_, scene.seconds = seconds_;
     scene.document = &track_.document, scene.ground = &ground_, scene.unseen = unseen;
     if (scenery_ != world::Scenery::plain) scene.plants = &plants_;
+    scene.splashes = splashes_;
     const DrawStats stats = renderer.draw(scene, width_, height_);
     EXPECT_TRUE(renderer.failure().ok()) << renderer.failure().message;
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -52,6 +53,7 @@ class Park : public test::Studio {
   sim::Plants plants_;
   world::Scenery scenery_ = world::Scenery::park;
   double seconds_ = 3;
+  std::vector<Splash> splashes_;
 };
 
 // By rays: land and sky are told apart by colour, where the air leaves any.
@@ -175,6 +177,39 @@ TEST_F(Park, has_water_with_waves_that_only_its_clock_moves) {
   const Image flat = shot();
   seconds_ = 5;
   EXPECT_EQ(shot().rgba, flat.rgba);
+}
+
+TEST_F(Park, is_rich_near_the_eye_at_a_bounded_cost) {
+  settle(world::Land::meadow);
+  eye_ = view::Eye{.position = {60, ground_.height(60, 70) + 1.7, 70}, .forward = {0.6, -0.1, 0.79}};
+  const DrawStats park = show(*renderer_);
+  const Image usual = renderer_->read_pixels();
+  scenery_ = world::Scenery::rich;
+  const DrawStats rich = show(*renderer_);
+  EXPECT_GT(rich.triangles, park.triangles + 500);
+  EXPECT_LT(rich.triangles, park.triangles + 60'000);
+  EXPECT_LE(rich.draw_calls, park.draw_calls + 40);
+  EXPECT_NE(shot().rgba, usual.rgba);
+  EXPECT_EQ(shot().rgba, shot(*renderer_->sibling(0)).rgba);
+  EXPECT_EQ(show(*renderer_, true).triangles, rich.triangles);
+}
+
+TEST_F(Park, shows_spray_where_cars_pass_over_water) {
+  eye_ = view::Eye{.position = {0, ground_.height(0, 30) + 20, 30}, .forward = {0, -0.5, -1}};
+  const float high = static_cast<float>(ground_.height(0, 0)) + 8;
+  const Image dry = shot();
+  splashes_ = {{{0, high, 0}, {1, 0, 0}, 1}};
+  const Image wet = shot();
+  int brighter = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) brighter += colour_at(wet, x, y).x > colour_at(dry, x, y).x + 8;
+  EXPECT_GT(brighter, 15);
+  EXPECT_EQ(shot().rgba, wet.rgba);
+  seconds_ = 3.1;
+  EXPECT_NE(shot().rgba, wet.rgba) << "it moves with the clock";
+  splashes_.clear();
+  seconds_ = 3;
+  EXPECT_EQ(shot().rgba, dry.rgba);
 }
 
 TEST_F(Park, is_lit_by_lamps_at_night) {

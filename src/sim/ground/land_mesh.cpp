@@ -105,15 +105,25 @@ VertexRect LandMesh::rect_of(std::size_t patch) const {
   return {x, z, x + kPatchCells, z + kPatchCells};
 }
 
-LandLight LandMesh::light_at(double x, double z) const {
-  if (patches_.empty()) return {};
+std::pair<const LandPatch*, std::size_t> LandMesh::nearest(double x, double z) const {
   const auto vertex = [&](double v) {
     return std::clamp(static_cast<int>(std::floor(v / world::kGroundCell + 0.5)) + field_.across / 2, 0, field_.across);
   };
   const int column = vertex(x), row = vertex(z), tiles = field_.across / kPatchCells;
   const int px = std::min(column / kPatchCells, tiles - 1), pz = std::min(row / kPatchCells, tiles - 1);
-  const LandPatch& patch = patches_[static_cast<std::size_t>(pz * tiles + px)];
-  return patch.light[static_cast<std::size_t>((row - pz * kPatchCells) * LandPatch::kSide + column - px * kPatchCells)];
+  return {&patches_[static_cast<std::size_t>(pz * tiles + px)],
+          static_cast<std::size_t>((row - pz * kPatchCells) * LandPatch::kSide + column - px * kPatchCells)};
+}
+
+LandLight LandMesh::light_at(double x, double z) const {
+  if (patches_.empty()) return {};
+  const auto [patch, vertex] = nearest(x, z);
+  return patch->light[vertex];
+}
+
+const LandVertex& LandMesh::vertex_at(double x, double z) const {
+  const auto [patch, vertex] = nearest(x, z);
+  return patch->vertices[vertex];
 }
 
 float LandMesh::sun_over(glm::vec3 place) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -73,6 +74,8 @@ class LandMesh {
   std::uint64_t reset_build() const { return reset_; }  // a new number when all patches are new
   // Returns how much sun and lamps reach a place, from the nearest vertex.
   LandLight light_at(double x, double z) const;
+  // Returns the nearest vertex; there are patches.
+  const LandVertex& vertex_at(double x, double z) const;
   // Returns how much of the sun reaches a place over the land, 0..1, past hills but not past crowns.
   float sun_over(glm::vec3 place) const;
 
@@ -85,6 +88,7 @@ class LandMesh {
     VertexRect vertices;
     bool indices = false, light = false;
   };
+  std::pair<const LandPatch*, std::size_t> nearest(double x, double z) const;
   void reset(const Ground& ground);
   VertexRect rect_of(std::size_t patch) const;
   std::vector<Key> keys_of(const Ground& ground, const Plants* plants) const;

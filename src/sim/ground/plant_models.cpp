@@ -217,6 +217,34 @@ PlantModel plant_model(PlantKind kind, PlantLevel level) {
   return {};
 }
 
+PlantModel meadow_model(std::size_t kind) {
+  constexpr glm::vec3 kBlade{0.185f, 0.290f, 0.070f};
+  constexpr glm::vec3 kPetals[kMeadowKinds] = {
+      kBlade, {0.80f, 0.76f, 0.70f}, {0.85f, 0.58f, 0.05f}, {0.42f, 0.16f, 0.55f}};
+  ModelBuilder model;
+  const glm::vec3 up(0, 1, 0);
+  const int blades = kind == 0 ? 6 : 4;
+  for (int i = 0; i < blades; ++i) {
+    const float turn = kWholeTurn * (static_cast<float>(i) + 0.6f * random(i, 61)) / static_cast<float>(blades);
+    const glm::vec3 out(std::cos(turn), 0, std::sin(turn)), aside(-out.z, 0, out.x);
+    const glm::vec3 root = 0.10f * random(i, 62) * out;
+    const glm::vec3 tip = root + (0.08f + 0.16f * random(i, 63)) * out + (0.20f + 0.16f * random(i, 64)) * up;
+    const std::uint16_t low = model.vertex(root - 0.026f * aside, up, 0.8f * kBlade, 0.6f),
+                        side = model.vertex(root + 0.026f * aside, up, 0.8f * kBlade, 0.6f),
+                        top = model.vertex(tip, up, 1.15f * kBlade, 1.0f);
+    model.triangle(low, side, top);
+    if (kind == 0 || i % 2 == 1) continue;
+    const glm::vec3 head = tip + 0.03f * up;  // a petal on each side of it
+    for (const float way : {-1.0f, 1.0f}) {
+      const std::uint16_t a = model.vertex(head, up, kPetals[kind], 1),
+                          b = model.vertex(head + way * 0.055f * aside + 0.03f * up, up, kPetals[kind], 1),
+                          c = model.vertex(head + way * 0.02f * aside + 0.05f * out, up, kPetals[kind], 0.9f);
+      model.triangle(a, b, c);
+    }
+  }
+  return model.take();
+}
+
 PlantLevel plant_level(float metres) {
   for (std::size_t level = 0; level + 1 < kPlantLevels; ++level)
     if (metres < kPlantReach[level]) return static_cast<PlantLevel>(level);

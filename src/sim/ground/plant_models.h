@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/ground/land_mesh.h"
+#include "sim/ground/meadow.h"
 #include "sim/ground/plants.h"
 
 namespace coaster::sim {
@@ -22,6 +22,8 @@ struct PlantModel {
   std::vector<std::uint16_t> indices;  // counter-clockwise from outside
 };
 PlantModel plant_model(PlantKind kind, PlantLevel level);
+// Returns a tuft of grass (0) or of flowers of a colour, less than kMeadowKinds: blades to be seen from both sides.
+PlantModel meadow_model(std::size_t kind);
 
 // Returns the level at a distance (m).
 PlantLevel plant_level(float metres);

@@ -64,7 +64,7 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
   add_sides(every_other, sides, sides / static_cast<std::uint32_t>(tube.coarse_sides), tube.caps, mesh.coarse);
 }
 
-void add_face(std::span<const dvec3> corners, Material part, float along, bool from_afar, Mesh& mesh) {
+void add_face(std::span<const dvec3> corners, Material part, bool from_afar, Mesh& mesh, float along) {
   dvec3 area(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
@@ -92,10 +92,10 @@ void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, 
   }
   std::vector<dvec3> end;
   for (std::size_t k = 0; k < outline.size(); ++k) end.push_back(place(rings.back(), k));
-  if (caps.last) add_face(end, part, rings.back().along, from_afar, mesh);
+  if (caps.last) add_face(end, part, from_afar, mesh, rings.back().along);
   end.clear();
   for (std::size_t k = outline.size(); k-- > 0;) end.push_back(place(rings.front(), k));
-  if (caps.first) add_face(end, part, rings.front().along, from_afar, mesh);
+  if (caps.first) add_face(end, part, from_afar, mesh, rings.front().along);
 }
 
 void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part, bool from_afar, Mesh& mesh,
@@ -103,27 +103,26 @@ void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part,
   add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh, caps);
 }
 
-void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Material part, float along,
-               bool from_afar, Mesh& mesh) {
+void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Material part, bool from_afar,
+               Mesh& mesh, float along) {
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t next = (k + 1) % 4;
-    add_face(std::array{near[next], near[k], far[k], far[next]}, part, along, from_afar, mesh);
+    add_face(std::array{near[next], near[k], far[k], far[next]}, part, from_afar, mesh, along);
   }
-  add_face(near, part, along, from_afar, mesh);
-  add_face(std::array{far[3], far[2], far[1], far[0]}, part, along, from_afar, mesh);
+  add_face(near, part, from_afar, mesh, along);
+  add_face(std::array{far[3], far[2], far[1], far[0]}, part, from_afar, mesh, along);
 }
 
-void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Material part, float along, bool from_afar,
-             Mesh& mesh) {
+void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Material part, bool from_afar, Mesh& mesh) {
   const auto corner = [&](double f, double u, double l) {
     return middle + f * half.x * frame.forward + u * half.y * frame.up + l * half.z * frame.left();
   };
   add_prism({corner(1, -1, -1), corner(1, -1, 1), corner(1, 1, 1), corner(1, 1, -1)},
-            {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)}, part, along, from_afar, mesh);
+            {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)}, part, from_afar, mesh);
 }
 
-void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Material part, float along,
-             bool from_afar, Mesh& mesh) {
+void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Material part, bool from_afar,
+             Mesh& mesh) {
   const double length = glm::length(to - from);
   if (!(length > 1e-6)) return;
   const dvec3 forward = (to - from) / length, up = curve::perpendicular(forward, {0, 1, 0}),
@@ -134,7 +133,7 @@ void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sid
   for (const bool at_end : {false, true})
     for (const dvec2 u : circle(sides)) {
       const dvec3 out = u.x * left + u.y * up, place = at_end ? to + to_radius * out : from + from_radius * out;
-      add_vertex(place, shrink * (out + slope * forward), part, along, mesh);
+      add_vertex(place, shrink * (out + slope * forward), part, 0, mesh);
       (at_end ? front : back).push_back(place);
     }
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -142,8 +141,8 @@ void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sid
     mesh.add_triangles({a, b, c, b, d, c}, from_afar);
   }
   std::reverse(back.begin(), back.end());
-  add_face(front, part, along, from_afar, mesh);
-  add_face(back, part, along, from_afar, mesh);
+  add_face(front, part, from_afar, mesh);
+  add_face(back, part, from_afar, mesh);
 }
 
 }  // namespace coaster::sim

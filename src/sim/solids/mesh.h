@@ -41,9 +41,11 @@ enum class Material : std::uint8_t {
 
 struct MeshVertex {
   glm::vec3 position;
-  glm::vec3 normal;   // unit
-  float part;         // static_cast<float>(Part): the shader selects the colour
-  float along = 0;    // position on the segment, arc length over length, 0..1
+  glm::vec3 normal;  // unit
+  float part;        // static_cast<float>(Part): the shader selects the colour
+  // Of swept track the position on the segment, arc length over length, 0..1. Of other solids how much of the sky is
+  // hidden from it, 1 where nothing is left of it; negative values, which make it fall off sooner, count as 0.
+  float along = 0;
   float segment = 0;  // the entity's index, set by the drawing code
 };
 
@@ -93,19 +95,18 @@ void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Mate
               Caps caps = {});
 
 // Adds a flat convex face, counter-clockwise as seen from outside. The normal of a face of zero area is up.
-void add_face(std::span<const glm::dvec3> corners, Material part, float along, bool from_afar, Mesh& mesh);
+void add_face(std::span<const glm::dvec3> corners, Material part, bool from_afar, Mesh& mesh, float along = 0);
 
 // Adds six flat faces around eight corners: four of one end, counter-clockwise as seen from outside, and the matching
 // ones of the other end.
-void add_prism(const std::array<glm::dvec3, 4>& near, const std::array<glm::dvec3, 4>& far, Material part, float along,
-               bool from_afar, Mesh& mesh);
+void add_prism(const std::array<glm::dvec3, 4>& near, const std::array<glm::dvec3, 4>& far, Material part,
+               bool from_afar, Mesh& mesh, float along = 0);
 // Adds a box with half sides `half` along the frame's forward, up and left.
-void add_box(glm::dvec3 middle, const curve::Frame& frame, glm::dvec3 half, Material part, float along, bool from_afar,
-             Mesh& mesh);
+void add_box(glm::dvec3 middle, const curve::Frame& frame, glm::dvec3 half, Material part, bool from_afar, Mesh& mesh);
 
 // Adds a round bar from one point to another, with a radius at each; smooth sides, flat ends. Adds nothing for equal
 // points.
 void add_bar(glm::dvec3 from, glm::dvec3 to, double from_radius, double to_radius, int sides, Material part,
-             float along, bool from_afar, Mesh& mesh);
+             bool from_afar, Mesh& mesh);
 
 }  // namespace coaster::sim

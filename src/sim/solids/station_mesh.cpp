@@ -111,12 +111,11 @@ class StationBuilder {
     for (const Ring& ring : spaced(kColumns, 0.6)) {
       for (const double side : {1.0, -1.0}) {
         const double out = side * (kEdge - 0.25);
-        add_bar(ring.place(out, floor_), ring.place(out, eaves_ + 0.25), 0.11, 0.11, 8, timber_, 0, true, mesh_);
-        add_bar(ring.place(out, eaves_ - 0.7), ring.place(0.45 * out, eaves_ + 0.5), 0.06, 0.06, 6, timber_, 0, false,
+        add_bar(ring.place(out, floor_), ring.place(out, eaves_ + 0.25), 0.11, 0.11, 8, timber_, true, mesh_);
+        add_bar(ring.place(out, eaves_ - 0.7), ring.place(0.45 * out, eaves_ + 0.5), 0.06, 0.06, 6, timber_, false,
                 mesh_);
       }
-      add_bar(ring.place(kEdge, eaves_ + 0.2), ring.place(-kEdge, eaves_ + 0.2), 0.08, 0.08, 6, timber_, 0, false,
-              mesh_);
+      add_bar(ring.place(kEdge, eaves_ + 0.2), ring.place(-kEdge, eaves_ + 0.2), 0.08, 0.08, 6, timber_, false, mesh_);
     }
   }
 
@@ -125,10 +124,10 @@ class StationBuilder {
     for (const Ring& ring : spaced(1.5, 0.75))
       for (const double side : {1.0, -1.0}) {
         const double left = side * 1.45;
-        add_bar(ring.place(left, floor_), ring.place(left, floor_ + 1.05), 0.035, 0.035, 6, Material::fin, 0, false,
+        add_bar(ring.place(left, floor_), ring.place(left, floor_ + 1.05), 0.035, 0.035, 6, Material::fin, false,
                 mesh_);
         for (const double height : {0.45, 0.95})
-          add_box(ring.place(left, floor_ + height), ring.frame, {0.6, 0.025, 0.02}, Material::fin, 0, false, mesh_);
+          add_box(ring.place(left, floor_ + height), ring.frame, {0.6, 0.025, 0.02}, Material::fin, false, mesh_);
       }
   }
 
@@ -143,7 +142,7 @@ class StationBuilder {
     const dvec3 along = side > 0 ? -forward : forward;  // the way the text runs for who looks at it
     const dvec3 middle = ring.place(side * (kEave + 0.14), eaves_ + 0.1 + 0.5 * tall);
     const curve::Frame frame{along, up};
-    add_box(middle, frame, {half, 0.5 * tall, 0.06}, Material::body, 0, true, mesh_);
+    add_box(middle, frame, {half, 0.5 * tall, 0.06}, Material::body, true, mesh_);
     const dvec3 corner = middle + 0.075 * out - (half - 2 * dot) * along + 3.5 * dot * up;
     for (std::size_t i = 0; i < text.size(); ++i) {
       const auto glyph = std::ranges::find(kGlyphs, text[i], &Glyph::letter);
@@ -157,7 +156,7 @@ class StationBuilder {
   void add_dot(dvec3 corner, dvec3 along, double size) {
     const dvec3 right = size * along, down(0, -size, 0);
     const std::array<dvec3, 4> face{corner, corner + down, corner + down + right, corner + right};
-    add_face(face, Material::linen, 0, false, mesh_);
+    add_face(face, Material::linen, false, mesh_);
   }
 
   // A point on the ground to the right of the station, `along` it and `out` from the rails.
@@ -175,7 +174,7 @@ class StationBuilder {
                                         on_ground(b, c, 0.07)};
         const bool upwards = glm::cross(face[1] - face[0], face[2] - face[0]).y > 0;
         const std::array<dvec3, 4> turned{face[0], face[3], face[2], face[1]};
-        add_face(upwards ? face : turned, material, 0, true, mesh_);
+        add_face(upwards ? face : turned, material, true, mesh_);
       }
     }
   }
@@ -192,10 +191,10 @@ class StationBuilder {
       const int posts = std::max(1, static_cast<int>(std::lround((end - begin) / 2)));
       for (int i = 0; i <= posts; ++i) {
         const double a = begin + (end - begin) * i / posts, b = begin + (end - begin) * (i + 1) / posts;
-        add_bar(on_ground(a, out, 0), on_ground(a, out, 1.0), 0.04, 0.04, 6, timber_, 0, i % 2 == 0, mesh_);
+        add_bar(on_ground(a, out, 0), on_ground(a, out, 1.0), 0.04, 0.04, 6, timber_, i % 2 == 0, mesh_);
         for (const double height : {0.5, 0.95})
           if (i < posts)
-            add_bar(on_ground(a, out, height), on_ground(b, out, height), 0.03, 0.03, 4, timber_, 0, false, mesh_);
+            add_bar(on_ground(a, out, height), on_ground(b, out, height), 0.03, 0.03, 4, timber_, false, mesh_);
       }
     }
     add_steps(to - 1.2, last);
@@ -212,7 +211,7 @@ class StationBuilder {
       const curve::Frame frame{ring.frame.forward, {0, 1, 0}};
       if (height > low)
         add_box({place.x, 0.5 * (low + height), place.z}, frame, {1.0, 0.5 * (height - low), 0.14}, Material::concrete,
-                0, true, mesh_);
+                true, mesh_);
     }
   }
 
@@ -253,6 +252,9 @@ Mesh station_mesh(const DerivedTrack& derived, const Ground& ground, std::string
     StationBuilder builder(ground, form_of(derived.made.kind), std::move(rings), mesh);
     if (builder.fits()) builder.add(name);
   }
+  // The roof is dark below, and darkens the gates; the ground darkens the feet of fences.
+  for (MeshVertex& vertex : mesh.vertices)
+    vertex.along = vertex.normal.y < -0.3f ? 0.7f : vertex.part == static_cast<float>(Material::fin) ? 0.5f : 0;
   return mesh;
 }
 

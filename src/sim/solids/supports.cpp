@@ -102,13 +102,20 @@ class FormTrial {
 
 constexpr int kSides = 10;
 
+// The ground hides half of the sky from the vertices from `first` on where they are near a foot.
+void shade_foot(double foot, std::size_t first, Mesh& mesh) {
+  constexpr float kReach = 1.6f;  // m
+  for (std::size_t i = first; i < mesh.vertices.size(); ++i)
+    mesh.vertices[i].along = 1 - (mesh.vertices[i].position.y - static_cast<float>(foot)) / kReach;
+}
+
 // Adds a concrete footing slightly above the ground, and the plate that the bar is bolted to.
 void add_footing(dvec3 at, double radius, Mesh& mesh) {
   constexpr double kHeight = 0.22, kPlate = 0.05;
   const double wide = 1.7 * radius + 0.16, plate = 1.25 * radius + 0.06;
   const dvec3 top = at + dvec3(0, kHeight, 0);
-  add_bar(at, top, 1.06 * wide, wide, kSides, Material::concrete, 0, false, mesh);
-  add_bar(top, top + dvec3(0, kPlate, 0), plate, plate, kSides, Material::support, 0, false, mesh);
+  add_bar(at, top, 1.06 * wide, wide, kSides, Material::concrete, false, mesh);
+  add_bar(top, top + dvec3(0, kPlate, 0), plate, plate, kSides, Material::support, false, mesh);
 }
 
 void add_collar(const Ring& hold, const CoasterForm& form, Mesh& mesh) {
@@ -202,17 +209,19 @@ void add_timber(dvec3 from, dvec3 to, double half, bool from_afar, Mesh& mesh) {
     const auto &a = kRound[k], &b = kRound[(k + 1) % 4];
     add_face(
         std::array{corner(from, a[0], a[1]), corner(from, b[0], b[1]), corner(to, b[0], b[1]), corner(to, a[0], a[1])},
-        Material::support, 0, from_afar, mesh);
+        Material::support, from_afar, mesh);
   }
 }
 
 void add_bents(const SegmentSupports& supports, Mesh& mesh) {
   constexpr double kFooting = 0.28, kPad = 0.14;  // m
   for (const Bar& leg : supports.bars) {
+    const std::size_t first = mesh.vertices.size();
     add_timber(dvec3(leg.from), dvec3(leg.to), double{leg.to_radius}, true, mesh);
     const dvec3 foot(leg.to);
     add_box(foot + dvec3(0, 0.5 * kPad, 0), {{1, 0, 0}, {0, 1, 0}}, {kFooting, 0.5 * kPad, kFooting},
-            Material::concrete, 0, false, mesh);
+            Material::concrete, false, mesh);
+    shade_foot(foot.y, first, mesh);
   }
   for (const Brace& each : supports.braces)
     add_timber(dvec3(each.from), dvec3(each.to), double{each.half}, each.from_afar, mesh);
@@ -283,13 +292,14 @@ void build_support_mesh(const SegmentSupports& supports, const CoasterForm& form
   mesh.clear();
   if (supports.form == SupportForm::bent) return add_bents(supports, mesh);
   for (const Bar& bar : supports.bars) {
+    const std::size_t first = mesh.vertices.size();
     const dvec3 from(bar.from), to(bar.to);
     const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
     // At another bar it ends slightly farther on, so that there is no notch. A leaning leg ends inside its footing.
     const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
     add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides,
-            Material::support, 0, true, mesh);
-    if (bar.grounded) add_footing(to, to_radius, mesh);
+            Material::support, true, mesh);
+    if (bar.grounded) add_footing(to, to_radius, mesh), shade_foot(to.y, first, mesh);
   }
   for (const Ring& hold : supports.holds) add_collar(hold, form, mesh);
 }

@@ -39,7 +39,7 @@ struct EquipmentMeshInput {
 
 // Adds a block around (left, up) with half sides along forward, up and left.
 void add_block(const Ring& at, dvec2 middle, dvec3 half, Material part, bool from_afar, Mesh& mesh) {
-  add_box(at.place(middle), at.frame, half, part, at.along, from_afar, mesh);
+  add_box(at.place(middle), at.frame, half, part, from_afar, mesh);
 }
 
 // The bed between the rails: crossbars from arm to arm and a beam along the track on them.
@@ -123,8 +123,8 @@ void add_walkway(const EquipmentMeshInput& fitting) {
   add_beam(fitting.rings, {kInner, floor - 0.05}, {kOuter, floor}, Material::deck, true, fitting.mesh);
   add_handrail(fitting, fitting.rings, {kOuter - 0.04, floor}, 2.0, false);
   for (const Ring& at : spaced_rings(fitting.shape, 2.0))
-    add_bar(at.place(0.1, fitting.form.hold), at.place(kOuter - 0.05, floor - 0.09), 0.05, 0.04, 6, Material::tie,
-            at.along, true, fitting.mesh);
+    add_bar(at.place(0.1, fitting.form.hold), at.place(kOuter - 0.05, floor - 0.09), 0.05, 0.04, 6, Material::tie, true,
+            fitting.mesh);
 }
 
 // Adds floors on both sides, slightly below the cars' floor, with a yellow edge, a handrail at the back and legs to the
@@ -150,7 +150,7 @@ void add_platforms(const EquipmentMeshInput& fitting) {
         const dvec3 top = at.place(side * out, floor - 0.5 * kThick);
         const double foot = fitting.ground != nullptr ? fitting.ground->height(top.x, top.z) : 0;
         if (top.y - foot > kThick)
-          add_bar({top.x, foot, top.z}, top, 0.14, 0.14, 8, Material::concrete, at.along, true, fitting.mesh);
+          add_bar({top.x, foot, top.z}, top, 0.14, 0.14, 8, Material::concrete, true, fitting.mesh);
       }
   }
 }
@@ -189,7 +189,7 @@ void add_arm(const Ring& at, double side, const ArmForm& arm, double half_tie, M
     return side < 0 ? std::array{low - thick, low + thick, high + thick, high - thick}
                     : std::array{low + thick, low - thick, high - thick, high + thick};
   };
-  add_prism(end(rail, arm.half_at_rail), end(spine, arm.half_at_spine), Material::tie, at.along, true, mesh);
+  add_prism(end(rail, arm.half_at_rail), end(spine, arm.half_at_spine), Material::tie, true, mesh, at.along);
 }
 
 void add_lengths(std::span<const Ring> rings, const CoasterForm& form, Caps caps, Mesh& mesh) {
@@ -227,14 +227,18 @@ void flatten(Mesh& mesh, double half) {
 void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const SolidsDetail& detail,
                   const Ground* ground) {
   if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
+  constexpr float kUnderRoof = 0.6f;
   const EquipmentMeshInput fitting{shape, form_of(shape), rings_of(shape, detail.most_rings), mesh, ground};
+  const std::size_t first = mesh.vertices.size();
   switch (kind) {
-    case world::EquipmentKind::station: return add_platforms(fitting);
-    case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);
-    case world::EquipmentKind::launch: return add_stators(fitting);
+    case world::EquipmentKind::station: add_platforms(fitting); break;
+    case world::EquipmentKind::lift: add_chain(fitting), add_walkway(fitting); break;
+    case world::EquipmentKind::launch: add_stators(fitting); break;
     case world::EquipmentKind::brake:
-    case world::EquipmentKind::block: return add_fins(fitting), add_walkway(fitting);
+    case world::EquipmentKind::block: add_fins(fitting), add_walkway(fitting); break;
   }
+  for (std::size_t i = first; i < mesh.vertices.size(); ++i)
+    mesh.vertices[i].along = kind == world::EquipmentKind::station ? kUnderRoof : 0;
 }
 
 Ring ring_at(const SegmentShape& shape, double s) {

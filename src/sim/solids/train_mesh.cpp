@@ -15,7 +15,7 @@ using glm::dvec3;
 constexpr curve::Frame kAhead{{1, 0, 0}, {0, 1, 0}};
 
 void add_block(dvec3 low, dvec3 high, Material part, Mesh& mesh) {
-  add_box(0.5 * (low + high), kAhead, 0.5 * (high - low), part, 0, true, mesh);
+  add_box(0.5 * (low + high), kAhead, 0.5 * (high - low), part, true, mesh);
 }
 
 // Adds a block whose upper face is shifted by `lean` along X.
@@ -24,7 +24,7 @@ void add_leaning(dvec3 low, dvec3 high, double lean, Material part, Mesh& mesh) 
     return std::array{dvec3(x, low.y, high.z), dvec3(x, low.y, low.z), dvec3(x + lean, high.y, low.z),
                       dvec3(x + lean, high.y, high.z)};
   };
-  add_prism(face(high.x), face(low.x), part, 0, true, mesh);
+  add_prism(face(high.x), face(low.x), part, true, mesh);
 }
 
 // A cross-section of the body: a rounded rectangle with a stripe on each side and on top.
@@ -84,8 +84,8 @@ void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Mate
       if (row > 0) mesh.add_triangles({first - 2, first - 1, first, first - 1, first + 1, first}, true);
     }
   }
-  add_face(sections.back(), parts[0], 0, true, mesh);
-  add_face(std::vector<dvec3>(sections.front().rbegin(), sections.front().rend()), parts[0], 0, true, mesh);
+  add_face(sections.back(), parts[0], true, mesh);
+  add_face(std::vector<dvec3>(sections.front().rbegin(), sections.front().rend()), parts[0], true, mesh);
 }
 
 void add_body(std::span<const BodySection> sections, Mesh& mesh) {
@@ -100,9 +100,8 @@ void add_body(std::span<const BodySection> sections, Mesh& mesh) {
 // Adds a wheel about an axis along Z or Y, with a hub on the outside.
 void add_wheel(dvec3 middle, dvec3 half_axis, double radius, Mesh& mesh) {
   constexpr int kWheelSides = 16;
-  add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Material::wheel, 0, true, mesh);
-  add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Material::fin, 0, false,
-          mesh);
+  add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Material::wheel, true, mesh);
+  add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Material::fin, false, mesh);
 }
 
 // Adds wheels above, next to and below one rail, and their bogie.
@@ -118,12 +117,12 @@ void add_bogie(double x, double side, Mesh& mesh) {
   add_wheel(at(0, -kRailRadius - kUnder, rail), outward, kUnder, mesh);
   const double axle = kRailRadius + kRoad;
   add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018},
-          Material::chassis, 0, true, mesh);
-  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Material::chassis, 0, true, mesh);
+          Material::chassis, true, mesh);
+  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Material::chassis, true, mesh);
   for (const double along : {-0.17, 0.17})
-    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Material::chassis, 0, true, mesh);
+    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Material::chassis, true, mesh);
   add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Material::chassis,
-          0, false, mesh);
+          false, mesh);
 }
 
 constexpr double kHip = 0.62;  // m above the rails
@@ -131,8 +130,8 @@ constexpr double kHip = 0.62;  // m above the rails
 void add_seat(double x, double z, Mesh& mesh) {
   add_leaning({x - 0.22, 0.62, z - 0.21}, {x - 0.10, 1.08, z + 0.21}, -0.09, Material::seat, mesh);
   add_leaning({x - 0.32, 1.06, z - 0.13}, {x - 0.21, 1.28, z + 0.13}, -0.03, Material::seat, mesh);
-  add_bar({x + 0.30, 0.62, z}, {x + 0.25, 0.86, z}, 0.028, 0.028, 8, Material::chain, 0, true, mesh);
-  add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Material::chain, 0, true, mesh);
+  add_bar({x + 0.30, 0.62, z}, {x + 0.25, 0.86, z}, 0.028, 0.028, 8, Material::chain, true, mesh);
+  add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Material::chain, true, mesh);
 }
 
 // Adds a bench for two with a low back, and its lap bar.
@@ -140,9 +139,8 @@ void add_bench(double x, Mesh& mesh) {
   add_block({x - 0.28, 0.66, -0.48}, {x + 0.16, 0.74, 0.48}, Material::seat, mesh);
   add_leaning({x - 0.30, 0.70, -0.48}, {x - 0.18, 1.10, 0.48}, -0.08, Material::seat, mesh);
   for (const double side : {-1.0, 1.0})
-    add_bar({x + 0.28, 0.66, 0.44 * side}, {x + 0.24, 0.90, 0.44 * side}, 0.025, 0.025, 8, Material::chain, 0, true,
-            mesh);
-  add_bar({x + 0.24, 0.90, -0.45}, {x + 0.24, 0.90, 0.45}, 0.035, 0.035, 8, Material::chain, 0, true, mesh);
+    add_bar({x + 0.28, 0.66, 0.44 * side}, {x + 0.24, 0.90, 0.44 * side}, 0.025, 0.025, 8, Material::chain, true, mesh);
+  add_bar({x + 0.24, 0.90, -0.45}, {x + 0.24, 0.90, 0.45}, 0.035, 0.035, 8, Material::chain, true, mesh);
 }
 
 // A rider's clothes and hair, and the size of chest and head.
@@ -165,8 +163,8 @@ void add_arm(dvec3 hip, double side, Material shirt, bool raised, Mesh& mesh) {
   const dvec3 elbow = hip + (raised ? dvec3(0.05, 0.68, 0.23 * side) : dvec3(0.06, 0.20, 0.235 * side)),
               hand = hip + (raised ? dvec3(0.07, 0.93, 0.20 * side) : dvec3(0.24, 0.24, 0.12 * side));
   add_ball(shoulder, {0.07, 0.07, 0.07}, 8, shirt, mesh);
-  add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, 0, false, mesh);
-  add_bar(elbow, hand, 0.045, 0.035, 8, Material::skin, 0, false, mesh);
+  add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, false, mesh);
+  add_bar(elbow, hand, 0.045, 0.035, 8, Material::skin, false, mesh);
   add_ball(hand, {0.045, 0.045, 0.04}, 8, Material::skin, mesh);
 }
 
@@ -174,15 +172,15 @@ void add_arm(dvec3 hip, double side, Material shirt, bool raised, Mesh& mesh) {
 void add_rider(dvec3 hip, const RiderLook& look, bool arms_up, Mesh& mesh) {
   const dvec3 chest = hip + dvec3(-0.05, 0.26, 0), head = hip + dvec3(-0.07, 0.66 * look.size, 0);
   add_ball(chest, look.size * dvec3(0.125, 0.31, 0.19), 12, look.shirt, mesh);
-  add_bar(hip + dvec3(-0.06, 0.50 * look.size, 0), head, 0.05, 0.05, 8, Material::skin, 0, false, mesh);
+  add_bar(hip + dvec3(-0.06, 0.50 * look.size, 0), head, 0.05, 0.05, 8, Material::skin, false, mesh);
   add_ball(head, {0.105, 0.125, 0.09}, 16, Material::skin, mesh);
   add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, look.hair, mesh);
   for (const double side : {-1.0, 1.0}) {
     add_arm(hip, side, look.shirt, arms_up, mesh);
     const dvec3 knee = hip + dvec3(0.36, 0.06, 0.10 * side);
-    add_bar(hip + dvec3(-0.02, 0.03, 0.09 * side), knee, 0.09, 0.07, 8, look.trousers, 0, false, mesh);
+    add_bar(hip + dvec3(-0.02, 0.03, 0.09 * side), knee, 0.09, 0.07, 8, look.trousers, false, mesh);
     add_ball(knee, {0.07, 0.07, 0.07}, 8, look.trousers, mesh);
-    add_bar(knee, hip + dvec3(0.44, -0.18, 0.10 * side), 0.065, 0.05, 8, look.trousers, 0, false, mesh);
+    add_bar(knee, hip + dvec3(0.44, -0.18, 0.10 * side), 0.065, 0.05, 8, look.trousers, false, mesh);
   }
 }
 
@@ -297,7 +295,7 @@ Mesh inverted_car(bool leading, CarRiders riders) {
   RiderRow seats(riders);
   for (const double row : {-0.10, -0.74}) {
     const double x = leading ? row : row + 0.40;
-    add_bar({x - 0.26, -0.34, 0}, {x - 0.26, kSeat + 0.86, 0}, 0.09, 0.08, 10, Material::body, 0, true, mesh);
+    add_bar({x - 0.26, -0.34, 0}, {x - 0.26, kSeat + 0.86, 0}, 0.09, 0.08, 10, Material::body, true, mesh);
     add_block({x - 0.34, kSeat + 0.74, -0.62}, {x - 0.18, kSeat + 0.88, 0.62}, Material::body, mesh);
     add_block({x - 0.35, kSeat + 0.78, -0.63}, {x - 0.17, kSeat + 0.83, 0.63}, Material::stripe, mesh);
     for (const double z : {-0.34, 0.34}) {
@@ -305,7 +303,7 @@ Mesh inverted_car(bool leading, CarRiders riders) {
       add_block({x - 0.24, kSeat - 0.12, z - 0.22}, {x + 0.26, kSeat - 0.02, z + 0.22}, Material::body, mesh);
       for (const double side : {-1.0, 1.0})
         add_bar({x - 0.20, kSeat + 0.74, z + 0.14 * side}, {x + 0.20, kSeat + 0.20, z + 0.12 * side}, 0.045, 0.035, 8,
-                Material::stripe, 0, true, mesh);
+                Material::stripe, true, mesh);
       seats.seat({x, kSeat, z}, mesh);
     }
   }
@@ -315,12 +313,12 @@ Mesh inverted_car(bool leading, CarRiders riders) {
 // The boiler, chimney and cow catcher of a locomotive in front of a row of riders.
 void add_locomotive(Mesh& mesh) {
   constexpr double kAxis = 0.64;
-  add_bar({-0.12, kAxis, 0}, {0.94, kAxis, 0}, 0.34, 0.34, 16, Material::body, 0, true, mesh);
+  add_bar({-0.12, kAxis, 0}, {0.94, kAxis, 0}, 0.34, 0.34, 16, Material::body, true, mesh);
   for (const double x : {0.06, 0.46, 0.86})
-    add_bar({x, kAxis, 0}, {x + 0.05, kAxis, 0}, 0.36, 0.36, 16, Material::stripe, 0, true, mesh);
-  add_bar({0.94, kAxis, 0}, {1.00, kAxis, 0}, 0.30, 0.22, 16, Material::chain, 0, true, mesh);
-  add_bar({0.74, 0.92, 0}, {0.74, 1.10, 0}, 0.08, 0.09, 12, Material::chassis, 0, true, mesh);
-  add_bar({0.74, 1.10, 0}, {0.74, 1.18, 0}, 0.15, 0.11, 12, Material::chassis, 0, true, mesh);
+    add_bar({x, kAxis, 0}, {x + 0.05, kAxis, 0}, 0.36, 0.36, 16, Material::stripe, true, mesh);
+  add_bar({0.94, kAxis, 0}, {1.00, kAxis, 0}, 0.30, 0.22, 16, Material::chain, true, mesh);
+  add_bar({0.74, 0.92, 0}, {0.74, 1.10, 0}, 0.08, 0.09, 12, Material::chassis, true, mesh);
+  add_bar({0.74, 1.10, 0}, {0.74, 1.18, 0}, 0.15, 0.11, 12, Material::chassis, true, mesh);
   add_ball({0.36, 0.96, 0}, {0.11, 0.11, 0.11}, 12, Material::stripe, mesh);
   add_ball({0.98, 0.94, 0}, {0.09, 0.09, 0.09}, 12, Material::stripe, mesh);
   add_leaning({0.90, 0.16, -0.50}, {1.10, 0.42, 0.50}, -0.16, Material::stripe, mesh);
@@ -339,7 +337,7 @@ void add_bucket(double from, double to, Mesh& mesh) {
         return side < 0 ? std::array{dvec3(x, low, a), dvec3(x, low, c), dvec3(x, high, d), dvec3(x, high, b)}
                         : std::array{dvec3(x, low, c), dvec3(x, low, a), dvec3(x, high, b), dvec3(x, high, d)};
       };
-      add_prism(face(to), face(from), part, 0, true, mesh);
+      add_prism(face(to), face(from), part, true, mesh);
     };
     wall(0.28, 0.92, 0.34, 0.06, Material::body);
     wall(0.86, 0.94, 0.34, 0.09, Material::chassis);
@@ -372,13 +370,13 @@ Mesh kiddie_car(bool leading, CarRiders riders) {
   add_body(body, mesh);
   add_bogies(mesh);
   if (leading) {
-    add_bar({0.56, 0.60, 0}, {0.76, 0.86, 0}, 0.24, 0.18, 12, Material::body, 0, true, mesh);
+    add_bar({0.56, 0.60, 0}, {0.76, 0.86, 0}, 0.24, 0.18, 12, Material::body, true, mesh);
     add_ball({0.80, 0.84, 0}, {0.24, 0.17, 0.22}, 16, Material::body, mesh);
     add_ball({0.96, 0.80, 0}, {0.14, 0.09, 0.17}, 12, Material::stripe, mesh);
     for (const double side : {-1.0, 1.0}) {
       add_ball({0.84, 0.98, 0.12 * side}, {0.07, 0.07, 0.07}, 10, Material::linen, mesh);
       add_ball({0.89, 0.99, 0.13 * side}, {0.035, 0.04, 0.04}, 8, Material::wheel, mesh);
-      add_bar({0.72, 0.94, 0.12 * side}, {0.60, 1.12, 0.17 * side}, 0.05, 0.01, 8, Material::stripe, 0, true, mesh);
+      add_bar({0.72, 0.94, 0.12 * side}, {0.60, 1.12, 0.17 * side}, 0.05, 0.01, 8, Material::stripe, true, mesh);
     }
   }
   RiderRow seats(riders);
@@ -394,14 +392,22 @@ Mesh kiddie_car(bool leading, CarRiders riders) {
 }  // namespace
 
 Mesh car_mesh(world::CoasterKind kind, bool leading, CarRiders riders) {
+  Mesh mesh;
   switch (kind) {
-    case world::CoasterKind::steel: return steel_car(leading, riders);
-    case world::CoasterKind::wooden: return wooden_car(leading, riders);
-    case world::CoasterKind::inverted: return inverted_car(leading, riders);
-    case world::CoasterKind::mine: return mine_car(leading, riders);
-    case world::CoasterKind::kiddie: return kiddie_car(leading, riders);
+    case world::CoasterKind::steel: mesh = steel_car(leading, riders); break;
+    case world::CoasterKind::wooden: mesh = wooden_car(leading, riders); break;
+    case world::CoasterKind::inverted: mesh = inverted_car(leading, riders); break;
+    case world::CoasterKind::mine: mesh = mine_car(leading, riders); break;
+    case world::CoasterKind::kiddie: mesh = kiddie_car(leading, riders); break;
   }
-  return {};
+  // The body hides the sky from what is below it, and from the riders' legs within it.
+  constexpr float kRim = 1.0f, kDeep = 0.5f, kFloor = 0.30f;  // m over the rails
+  for (MeshVertex& vertex : mesh.vertices) {
+    const float y = vertex.position.y, out = std::abs(vertex.position.z);
+    const bool below = y < kFloor && vertex.part != static_cast<float>(Material::body);
+    if (form_of(kind).side > 0) vertex.along = below ? 0.6f : out < 0.5f ? std::min((kRim - y) / kDeep, 0.9f) : 0;
+  }
+  return mesh;
 }
 
 Mesh distant_car_mesh(world::CoasterKind kind) {
@@ -413,7 +419,7 @@ Mesh distant_car_mesh(world::CoasterKind kind) {
 
 Mesh coupling_mesh() {
   Mesh mesh;
-  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Material::chassis, 0, true, mesh);
+  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Material::chassis, true, mesh);
   return mesh;
 }
 

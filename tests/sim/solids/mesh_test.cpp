@@ -58,14 +58,14 @@ TEST(mesh, a_beam_holds_its_cross_section_times_its_length) {
 
 TEST(mesh, a_box_and_a_bar_are_where_they_are_asked_for) {
   Mesh box;
-  add_box({1.3, 2.9, -4.1}, skew_frame(), {0.4, 0.3, 0.7}, Material::fin, 0, true, box);
+  add_box({1.3, 2.9, -4.1}, skew_frame(), {0.4, 0.3, 0.7}, Material::fin, true, box);
   expect_solid(box, Material::fin, 8 * 0.4 * 0.3 * 0.7, 1e-5);
   dvec3 sum(0);
   for (const MeshVertex& v : box.vertices) sum += dvec3(v.position);
   EXPECT_LT(glm::distance(sum / static_cast<double>(box.vertices.size()), dvec3(1.3, 2.9, -4.1)), 1e-6);
   Mesh bar;
   const dvec3 from(2.1, 0.4, 7.7), to(3.3, -5.9, 8.1);
-  add_bar(from, to, 0.5, 0.2, 24, Material::support, 0, true, bar);
+  add_bar(from, to, 0.5, 0.2, 24, Material::support, true, bar);
   // A frustum of 24 sides: a third of its height times A + sqrt(A B) + B.
   const double unit = 12 * std::sin(M_PI / 12);
   expect_solid(bar, Material::support, glm::distance(from, to) / 3 * unit * (0.25 + 0.1 + 0.04), 1e-4);
@@ -78,7 +78,7 @@ TEST(mesh, a_box_and_a_bar_are_where_they_are_asked_for) {
 
 TEST(mesh, a_bar_without_length_adds_nothing) {
   Mesh mesh;
-  add_bar({1, 2, 3}, {1, 2, 3}, 0.5, 0.2, 8, Material::support, 0, true, mesh);
+  add_bar({1, 2, 3}, {1, 2, 3}, 0.5, 0.2, 8, Material::support, true, mesh);
   EXPECT_TRUE(mesh.vertices.empty() && mesh.indices.empty());
 }
 

@@ -363,6 +363,12 @@ TEST(supports, are_closed_solids_with_a_footing_for_every_foot) {
   EXPECT_EQ(test::open_edges(mesh, mesh.coarse), 0);
   EXPECT_GT(test::volume(mesh, Material::concrete), 0);
   for (const MeshVertex& v : mesh.vertices) ASSERT_GE(v.position.y, -1e-6f);
+  // The sky is hidden from what stands on the ground, and not from what is two metres above it.
+  for (const MeshVertex& v : mesh.vertices) {
+    if (v.part == static_cast<float>(Material::tie)) continue;
+    EXPECT_EQ(v.along > 0.9f, v.position.y < 0.16f) << v.position.y;
+    EXPECT_EQ(v.along <= 0, v.position.y >= 1.6f) << v.position.y;
+  }
 }
 
 }  // namespace supports_test

@@ -92,6 +92,19 @@ TEST_P(TrainMeshOfKind, nothing_of_the_first_car_stands_before_the_riders_eyes) 
   }
 }
 
+// Seats and wheels are darker than heads, except where riders hang below the rails.
+TEST_P(TrainMeshOfKind, the_body_hides_the_sky_from_what_is_below_it) {
+  const bool hangs = form_of(GetParam()).side < 0;
+  int hidden = 0;
+  for (const MeshVertex& v : car_mesh(GetParam(), false).vertices) {
+    EXPECT_LT(v.along, 1);
+    hidden += v.along > 0.3f;
+    if (v.part == static_cast<float>(Material::wheel)) EXPECT_EQ(v.along > 0.3f, !hangs && v.position.y < 0.3f);
+    if (v.position.y > 1) EXPECT_LE(v.along, 0);
+  }
+  EXPECT_EQ(hidden > 100, !hangs);
+}
+
 TEST_P(TrainMeshOfKind, riders_hearts_are_at_the_kinds_heartline) {
   const Mesh mesh = car_mesh(GetParam(), false);
   const Bounds hair = bounds_of(mesh, of(Material::hair));

@@ -1,4 +1,4 @@
-#include "gfx/park/visible_patches.h"
+#include "gfx/land_cache.h"
 
 #include <map>
 #include <random>

@@ -1,4 +1,4 @@
-#include "gfx/park/far_land.h"
+#include "gfx/land_cache.h"
 
 #include <algorithm>
 #include <set>

@@ -1,0 +1,81 @@
+#include "sim/ground/meadow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "sim/ground/noise.h"
+
+namespace coaster::sim {
+namespace {
+
+constexpr double kSpacing = 0.55;               // m between tufts in the densest meadow
+constexpr double kPlaza = 15, kPathReach = 24;  // m about the rails of a station, and about its middle
+enum MeadowSeed : std::uint32_t { kHere = 201, kAside, kAlong, kSize, kTurn, kFlower, kKind, kPatches };
+
+bool at_station(std::span<const glm::dvec3> stations, glm::dvec2 at) {
+  return std::ranges::any_of(stations, [&](const glm::dvec3& station) {
+    return glm::distance(glm::dvec2(station.x, station.y), at) < station.z;
+  });
+}
+
+// Returns circles (x, z, radius) around stations within reach of the eye.
+std::vector<glm::dvec3> stations_near(const Ground& ground, glm::vec3 eye) {
+  std::vector<glm::dvec3> circles;
+  glm::dvec3 middle(0);
+  for (const TrackSample& sample : ground.samples()) {
+    if (!sample.station) continue;
+    circles.emplace_back(sample.at.x, sample.at.z, kPlaza);
+    middle += glm::dvec3(sample.at.x, sample.at.z, 1);
+  }
+  if (middle.z > 0) circles.emplace_back(middle.x / middle.z, middle.y / middle.z, kPathReach);
+  std::erase_if(circles, [&](const glm::dvec3& circle) {
+    return glm::distance(glm::dvec2(circle.x, circle.y), glm::dvec2(eye.x, eye.z)) > kMeadowReach + circle.z;
+  });
+  return circles;
+}
+
+// Returns how bright green ground is, 0..1; negative for all other.
+float green(const LandVertex& vertex) {
+  const glm::vec3 paint(vertex.paint[0], vertex.paint[1], vertex.paint[2]);
+  if (paint.y < 1.03f * paint.x || paint.y < 1.25f * paint.z) return -1;
+  const float red = paint.x / 255;
+  return glm::clamp((red * red - 0.12f) / 0.17f, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+std::vector<MeadowPlant> meadow_around(const LandMesh& land, const Ground& ground, glm::vec3 eye) {
+  std::vector<MeadowPlant> plants;
+  const double over = double{eye.y} - ground.height(double{eye.x}, double{eye.z}), reach = kMeadowReach;
+  if (over > reach) return plants;
+  const std::vector<glm::dvec3> stations = stations_near(ground, eye);
+  const std::uint32_t seed = ground.land().park().seed;
+  const auto cell = [&](double v) { return static_cast<int>(std::floor(v / kSpacing)); };
+  for (int z = cell(double{eye.z} - reach); z <= cell(double{eye.z} + reach); ++z) {
+    for (int x = cell(double{eye.x} - reach); x <= cell(double{eye.x} + reach); ++x) {
+      const auto chance = [&](MeadowSeed which) { return random_at(x, z, seed + which); };
+      const glm::dvec2 at = kSpacing * (glm::dvec2(x, z) + glm::dvec2(chance(kAside), chance(kAlong)));
+      const double level = glm::distance(at, glm::dvec2(eye.x, eye.z));
+      // How far a tuft of this rank shows; few show far away.
+      const double rank = chance(kHere), shows = reach * (1 - 0.82 * std::sqrt(rank));
+      const double part = 1 - std::sqrt(level * level + over * over) / shows;
+      if (part <= 0 || !ground.in_square(at.x, at.y)) continue;
+      const float tint = green(land.vertex_at(at.x, at.y));
+      if (tint < 0 || at_station(stations, at)) continue;
+      const double height = ground.height(at.x, at.y);
+      if (height < ground.water() + 0.3) continue;
+      const bool flower = chance(kFlower) < 0.16 * smooth_step(0.0, 0.7, noise(at.x / 17, at.y / 17, seed + kPatches));
+      MeadowPlant& plant = plants.emplace_back();
+      plant.foot = glm::vec3(at.x, height, at.y);
+      plant.size = static_cast<float>((0.65 + 0.7 * chance(kSize)) * std::fmin(3 * part, 1));
+      const base::SinCos turned = base::sin_cos(6.2831853 * chance(kTurn));
+      plant.turn = glm::vec2(turned.cos, turned.sin);
+      plant.tint = glm::clamp(tint + 0.25f * static_cast<float>(chance(kKind) - 0.5), 0.0f, 1.0f);
+      plant.kind = flower ? 1 + static_cast<std::size_t>(2.999 * chance(kKind)) : 0;
+    }
+  }
+  return plants;
+}
+
+}  // namespace coaster::sim
