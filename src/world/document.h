@@ -107,8 +107,8 @@ std::uint64_t hash(const Document& document);
 // tests and after loading.
 std::optional<std::string> broken_invariant(const Document& document);
 
-// Returns what the track is called where people choose among files: its name; the name of its file, without the extension, where nobody has named it. "" or the default
-// name if it has no file either.
+// Returns what the track is called where people choose among files: its name; the name of its file, without the
+// extension, where nobody has named it. "" or the default name if it has no file either.
 std::string track_name(const std::string& name, const std::filesystem::path& file);
 
 }  // namespace coaster::world

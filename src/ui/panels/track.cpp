@@ -1,5 +1,5 @@
-// Track: name, size, adding and deleting parts, start of the ride, file. History: undo and redo steps. Coaster: its kind,
-// and the paint of the track or of the selected sections.
+// Track: name, size, adding and deleting parts, start of the ride, file. History: undo and redo steps. Coaster: its
+// kind, and the paint of the track or of the selected sections.
 #include <imgui.h>
 
 #include <algorithm>
