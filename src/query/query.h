@@ -20,7 +20,7 @@
 
 namespace coaster::query {
 
-// --- Arguments of queries
+// --- What follows the name of a query: one word, whose parts have separators between them, such as @q3.vertical/40
 
 // An entity, a word, or a number; any text if none of these is set.
 struct ArgumentPart {
@@ -109,7 +109,7 @@ ArgumentValueDomain values_with(const Query& query, std::string_view argument);
 // 1 and false, no, 0. Nothing for other words.
 std::optional<int> rank_of(const Query& query, std::string_view word);
 
-// --- The values of all queries as JSON
+// --- The values of all queries at once, for state.json of a script
 
 // Returns one member per query, null where there is no value; with an argument of one part one per word, number, knot,
 // segment or train that it accepts and has a value. The latter are left out of tracks of more than 1000 knots.
