@@ -12,10 +12,10 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/apply.h"
-#include "edit/session/history.h"
+#include "edit/session/session.h"
 #include "exchange/own/track_file.h"
-#include "sim/shape/polyline_error.h"
 #include "sim/shape/rail_tables.h"
+#include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
 
 namespace coaster {

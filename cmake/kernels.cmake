@@ -12,7 +12,7 @@ function(kernel source)
 endfunction()
 kernel(src/curve/kernels_baseline.cpp)
 kernel(src/sim/ride/lap_table.cpp)     # its loops process several trains at once
-kernel(src/view/closest_curve_points.cpp)     # products of short polynomials
+kernel(src/view/pick_cone.cpp)         # products of short polynomials
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
   kernel(src/curve/kernels_avx2.cpp -mavx2 -mfma -ffp-contract=fast)
   set_source_files_properties(src/curve/kernels.cpp src/curve/kernels_avx2.cpp

@@ -9,7 +9,6 @@
 
 #include "app/program.h"
 #include "base/text.h"
-#include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
 #include "edit/perform/seek.h"

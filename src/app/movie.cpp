@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 #include <utility>

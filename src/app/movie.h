@@ -17,9 +17,8 @@
 #include "base/files.h"
 #include "base/status.h"
 #include "gfx/renderer.h"
-#include "platform/browser_encoder.h"
-#include "script/movie_rates.h"
-#include "ui/context/output.h"
+#include "platform/system.h"
+#include "script/statements.h"
 #include "ui/context/state.h"
 #include "world/motion.h"
 

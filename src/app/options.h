@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-#include "script/movie_rates.h"
+#include "script/statements.h"
 
 namespace coaster::app {
 

@@ -2,13 +2,12 @@
 // no shell interprets names, with output read through a pipe.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/status.h"
-#include "ui/context/output.h"
+#include "ui/context/state.h"
 
 namespace coaster::app {
 

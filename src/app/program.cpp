@@ -31,6 +31,7 @@
 #include "script/paths.h"
 #include "ui/tools/camera_controls.h"
 #include "view/camera.h"
+#include "world/appearance_settings.h"
 #include "world/evaluation_settings.h"
 
 namespace coaster::app {
@@ -124,6 +125,40 @@ std::string save_at_once(Program& program) {
 }
 
 }  // namespace
+
+// --- The ride's sound in a window: opens the device when sound is on, and feeds it
+
+void keep_sounding(Program& program) {
+  Sounds& sounds = program.sounds;
+  const edit::Session& session = program.session;
+  const double volume = session.settings.look->sound;
+  const bool wanted = volume > 0;
+  if (!wanted) {
+    sounds.refused = false;
+    if (sounds.device && sounds.voice.heard.volume < 1e-3) {  // otherwise it fades out first
+      program.surface->end_sound();
+      sounds.device.reset();
+    }
+  }
+  if (wanted && !sounds.device && !sounds.refused) {
+    auto device = platform::SoundDevice::open();
+    if (device) {
+      sounds.device = std::move(*device);
+    } else {
+      sounds.refused = true;
+      if (sounds.refusals++ > 0)
+        edit::notify(program.session, edit::NoticeKind::info,
+                     base::sentence("sound is off: " + device.status().message));
+    }
+  }
+  if (!sounds.device) return;
+  const view::RideNoise noise = recording(program)
+                                    ? view::RideNoise{}
+                                    : view::ride_noise(session.document, session.derived, session.motion, volume,
+                                                       &edit::SessionFindings(program.session).ground());
+  sounds.device->feed(
+      [&](std::span<float> block) { view::synthesise(sounds.voice, noise, platform::kSoundRate, block); });
+}
 
 Program::Program() = default;
 Program::~Program() = default;

@@ -8,25 +8,40 @@
 
 #include "app/movie.h"
 #include "app/options.h"
-#include "app/sounds.h"
-#include "app/track_thumbnails.h"
+#include "app/pictures.h"
 #include "app/user_data_keeper.h"
 #include "base/crash_guard.h"
 #include "base/files.h"
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
+#include "platform/sound.h"
 #include "platform/surface.h"
 #include "query/context.h"
 #include "query/query.h"
 #include "script/recorder.h"
 #include "ui/host/host.h"
 #include "view/camera_rig.h"
+#include "view/ride_sound.h"
 
 namespace coaster::edit {
 struct ClosingSearch;
 }
 
 namespace coaster::app {
+
+struct Program;
+
+// The ride's sound in a window: opens the device when sound is on, and feeds it.
+struct Sounds {
+  std::unique_ptr<platform::SoundDevice> device;  // null: sound is off, or there is no device
+  bool refused = false;                           // no device; tried again when sound is turned off and on
+  int refusals = 0;                               // the first refusal, at the start, is not reported: sound is optional
+  view::RideVoice voice;
+};
+
+// Updates the sound; call it once per frame of a window. Silent while a movie is recorded, because its time is not real
+// time.
+void keep_sounding(Program& program);
 
 // Clocks of the frames, s.
 struct FrameClock {

@@ -14,7 +14,7 @@
 #include "app/program.h"
 #include "app/script_host.h"
 #include "base/parallel.h"
-#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "exchange/formats.h"

@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <future>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/process.h"
 #include "base/file_lock.h"
 #include "base/folders.h"
 #include "exchange/own/autosave.h"
-#include "ui/context/output.h"
 #include "ui/context/state.h"
 
 namespace coaster::app {

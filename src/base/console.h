@@ -2,7 +2,6 @@
 // terminal: all text is printed by visible_text().
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "base/status.h"

@@ -1,7 +1,6 @@
 // The table of arc-length methods to compare, one row each, and the study of their convergence.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "curve/arc_length_detail.h"
 #include "curve/arc_length_study.h"

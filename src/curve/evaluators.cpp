@@ -1,7 +1,6 @@
 #include "curve/evaluators.h"
 
 #include <array>
-#include <utility>
 
 #include "base/check.h"
 #include "curve/evaluators_detail.h"

@@ -2,9 +2,7 @@
 // first needs it. It has no encoder of movies.
 #include <dlfcn.h>
 
-#include "platform/browser_encoder.h"
-#include "platform/frame_loop.h"
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 
 namespace coaster::platform {
 namespace {

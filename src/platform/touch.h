@@ -1,6 +1,6 @@
 // Fingers on a screen as a mouse with three buttons: one finger is the left button, a long press the right one, two
 // fingers pan by the middle button and zoom by the wheel. Without a finger the mouse is outside the window. Panels turn
-// pans into scrolling (ui/host/imgui_input).
+// pans into scrolling (ui/host/imgui_backend).
 #pragma once
 
 #include <span>

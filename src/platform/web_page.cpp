@@ -5,9 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "platform/browser_encoder.h"
-#include "platform/frame_loop.h"
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 
 namespace coaster::platform {
 namespace {

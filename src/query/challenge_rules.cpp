@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "edit/commands/command_list.h"
-#include "query/goal.h"
 #include "query/rows.h"
 
 namespace coaster::query {

@@ -2,16 +2,117 @@
 #include "query/query.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "base/text.h"
 #include "base/units.h"
+#include "query/context.h"
 #include "query/rows.h"
 
 namespace coaster::query {
+namespace {
+
+// --- Arguments of queries
+
+std::vector<std::string> words_of(const ArgumentPart& part) {
+  return part.words ? part.words() : std::vector<std::string>();
+}
+
+// Returns what the part accepts: "a knot such as @k3", "document or motion", "1 to 3".
+std::string expected(const ArgumentPart& part) {
+  if (part.kind) return fmt::format("a {} such as @{}", base::name_of(*part.kind), world::to_text({*part.kind, 3}));
+  if (part.number) return fmt::format("a number ({})", part.usage);
+  if (!part.words && part.most == 0) return std::string(part.usage);
+  const std::string range = fmt::format("1 to {}", part.most);
+  if (!part.words) return range;
+  std::vector<std::string> all = part.words();
+  if (part.most > 0) all.push_back(range);
+  return base::alternatives(all);
+}
+
+bool accepts(const ArgumentPart& part, std::string_view word) {
+  if (part.kind) {
+    const auto name = world::parse_name(word.starts_with('@') ? word.substr(1) : word);
+    return name && name->kind == *part.kind;
+  }
+  if (part.number) return base::parse_double(word).has_value();
+  if (!part.words && part.most == 0) return !word.empty();
+  const auto whole = base::parse_int(word);
+  if (whole && *whole >= 1 && *whole <= part.most) return true;
+  const std::vector<std::string> words = words_of(part);
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// --- The values of all queries as JSON
+
+exchange::JsonValue to_json(const Value& value) {
+  struct Visitor {
+    exchange::JsonValue operator()(double v) const { return v; }
+    exchange::JsonValue operator()(const std::string& v) const { return v; }
+    exchange::JsonValue operator()(const Ranked& v) const { return v.text; }
+    exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
+    exchange::JsonValue operator()(const NoValue&) const { return nullptr; }
+  };
+  return std::visit(Visitor{}, value);
+}
+
+// Returns the arguments of one part: words, knots, segments and trains.
+std::vector<std::string> arguments_of(Argument argument, const world::Document& document) {
+  if (argument.size() > 1) return {};
+  const ArgumentPart& part = argument.front();
+  std::vector<std::string> names;
+  if (part.words) names = part.words();
+  for (int i = 1; i <= part.most; ++i) names.push_back(std::to_string(i));
+  const auto add = [&](world::EntityKind kind, const std::vector<world::Entity>& entities) {
+    if (part.kind != kind) return;
+    for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
+  };
+  add(world::EntityKind::knot, document.track.knots);
+  add(world::EntityKind::segment, document.track.segments);
+  add(world::EntityKind::cart, document.entities.pool<world::Train>().entities());
+  return names;
+}
+
+}  // namespace
+
+std::string usage_of(Argument argument) {
+  std::string text;
+  for (const ArgumentPart& part : argument) {
+    std::string own(part.usage);
+    if (part.before != 0) own.insert(own.begin(), part.before);
+    if (part.usage.empty())
+      for (const std::string& word : words_of(part)) own += (own.empty() ? "" : "|") + word;
+    text += part.optional ? fmt::format("[{}]", own) : own;
+  }
+  return text;
+}
+
+std::optional<base::TextError> wrong_argument(Argument argument, std::string_view word) {
+  std::string_view rest = word;
+  for (std::size_t i = 0; i < argument.size(); ++i) {
+    const ArgumentPart& part = argument[i];
+    if (i > 0) {
+      if (rest.empty() && part.optional) return std::nullopt;
+      if (rest.empty())
+        return base::TextError{1, fmt::format("expected {}, found {}", usage_of(argument), base::quoted_start(word))};
+      rest.remove_prefix(1);
+    }
+    const std::size_t end =
+        i + 1 < argument.size() ? std::min(rest.find(argument[i + 1].before), rest.size()) : rest.size();
+    const std::string_view own = rest.substr(0, end);
+    if (!accepts(part, own)) {
+      const std::string hint = base::suggestion(own, words_of(part));
+      return base::TextError{1 + static_cast<int>(word.size() - rest.size()),
+                             fmt::format("expected {}, found {}{}", expected(part), base::quoted_start(own), hint),
+                             !part.kind && base::is_number(own), !hint.empty()};
+    }
+    rest.remove_prefix(end);
+  }
+  return std::nullopt;
+}
 
 std::string to_text(const Value& value) {
   struct Visitor {
@@ -128,6 +229,24 @@ std::optional<curve::JointContinuity> joint_at(const world::Document& document, 
   const world::KnotSegments at = world::neighbours(document, knot);
   if (!at.before.valid() || !at.after.valid()) return std::nullopt;
   return curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
+}
+
+exchange::JsonMembers all_values(const QueryContext& context) {
+  constexpr std::size_t kMostKnots = 1000;
+  exchange::JsonMembers all;
+  for (const Query& query : queries()) {
+    const std::string name(query.name);
+    if (query.argument.empty()) {
+      const auto value = query.evaluate(context, "");
+      all.emplace_back(name, value ? to_json(*value) : nullptr);
+      continue;
+    }
+    if (context.session.document.track.knots.size() > kMostKnots) continue;
+    for (const std::string& argument : arguments_of(query.argument, context.session.document))
+      if (const auto value = query.evaluate(context, argument))
+        all.emplace_back(fmt::format("{} {}", name, argument), to_json(*value));
+  }
+  return all;
 }
 
 }  // namespace coaster::query

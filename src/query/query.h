@@ -12,10 +12,41 @@
 
 #include <glm/glm.hpp>
 
+#include "base/enum_names.h"
 #include "base/status.h"
-#include "query/argument.h"
+#include "base/text.h"
+#include "exchange/own/json_output.h"
+#include "world/entity.h"
 
 namespace coaster::query {
+
+// --- What follows the name of a query: one word, whose parts have separators between them, such as @q3.vertical/40
+
+// An entity, a word, or a number; any text if none of these is set.
+struct ArgumentPart {
+  std::string_view usage = {};                    // in help; empty: all words
+  std::optional<world::EntityKind> kind = {};     // the name of an entity of this kind
+  std::vector<std::string> (*words)() = nullptr;  // one of these words
+  int most = 0;                                   // or a whole number from 1 to this one
+  bool number = false;                            // any number
+  char before = 0;                                // separates it from the part before it
+  bool optional = false;
+};
+using Argument = std::span<const ArgumentPart>;
+
+inline constexpr ArgumentPart kKnot[]{{.usage = "@knot", .kind = world::EntityKind::knot}};
+inline constexpr ArgumentPart kSegment[]{{.usage = "@segment", .kind = world::EntityKind::segment}};
+inline constexpr ArgumentPart kCart[]{{.usage = "@cart", .kind = world::EntityKind::cart}};
+inline constexpr ArgumentPart kSection[]{{.usage = "@section", .kind = world::EntityKind::section}};
+template <base::Named E>
+inline constexpr ArgumentPart kWordOf[]{{.words = base::names_of<E>}};
+
+// Returns "@section.CHANNEL/PLACE", "document|motion" and so on.
+std::string usage_of(Argument argument);
+
+// Returns why the argument does not accept the word, with the column of the wrong part in it, from 1. Nothing if it
+// does; the entity may still not exist.
+std::optional<base::TextError> wrong_argument(Argument argument, std::string_view word);
 
 struct QueryContext;  // what queries read (query/context.h)
 
@@ -77,5 +108,11 @@ ArgumentValueDomain values_with(const Query& query, std::string_view argument);
 // Returns the rank of a word among the values of a ranked query, ignoring case; on and off have the synonyms true, yes,
 // 1 and false, no, 0. Nothing for other words.
 std::optional<int> rank_of(const Query& query, std::string_view word);
+
+// --- The values of all queries at once, for state.json of a script
+
+// Returns one member per query, null where there is no value; with an argument of one part one per word, number, knot,
+// segment or train that it accepts and has a value. The latter are left out of tracks of more than 1000 knots.
+exchange::JsonMembers all_values(const QueryContext& context);
 
 }  // namespace coaster::query

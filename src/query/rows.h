@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <type_traits>
 
-#include <fmt/format.h>
-
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "query/context.h"

@@ -1,6 +1,5 @@
 // Queries of the track: its knots, joints, frames and segments, the evaluation of the curve, and the paper's errata.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 

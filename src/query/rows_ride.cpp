@@ -9,7 +9,6 @@
 #include "query/challenge_rules.h"
 #include "query/rows.h"
 #include "sim/study/riders.h"
-#include "sim/study/wheel_loads.h"
 #include "world/aid_settings.h"
 #include "world/laboratory_settings.h"
 #include "world/loss_presets.h"

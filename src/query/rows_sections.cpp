@@ -1,11 +1,10 @@
 // Queries of sections: those of the track, those of forces, and the palette's element at the open end.
-#include <array>
 
 #include "base/portable_math.h"
 #include "query/rows.h"
 #include "sim/plan/force_plan.h"
 #include "sim/study/complete_circuit.h"
-#include "sim/study/section_figures.h"
+#include "sim/study/riders.h"
 #include "world/sections.h"
 
 namespace coaster::query {

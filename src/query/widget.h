@@ -1,4 +1,4 @@
-// A widget of the last frame, as the panels drew it: for queries, scripts and lessons.
+// What scripts and panels tell each other: widgets of the last frame, as the panels drew them, and lessons.
 #pragma once
 
 #include <string>
@@ -25,5 +25,13 @@ struct Widget {
     return value.empty() && labelled ? path.substr(path.rfind('/') + 1) : value;
   }
 };
+
+// A lesson's instruction to the player, from scripts to panels.
+struct LessonCard {
+  std::string text, widget;  // widget: path of the widget to highlight, "" for none
+  int number = 1, count = 1;
+  bool strayed = false;  // the track has changed since the lesson began
+};
+enum class LessonAnswer { none, show, leave };  // show: run the script's lines, from the track at the lesson's start
 
 }  // namespace coaster::query

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,7 +13,6 @@
 #include "base/files.h"
 #include "edit/commands/command.h"
 #include "platform/events.h"
-#include "query/lesson.h"
 #include "query/query.h"
 #include "query/widget.h"
 #include "view/pick.h"

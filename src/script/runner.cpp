@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
@@ -17,7 +17,6 @@
 #include "query/rows.h"
 #include "script/paths.h"
 #include "script/ui_driver.h"
-#include "script/widget_lookup.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
 

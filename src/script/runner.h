@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/files.h"
-#include "script/frame_stepper.h"
 #include "script/grammar.h"
 #include "script/host.h"
 #include "script/statements.h"
+#include "script/ui_driver.h"
 
 namespace coaster::script {
 

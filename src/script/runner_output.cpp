@@ -3,8 +3,8 @@
 
 #include "exchange/own/json_output.h"
 #include "exchange/own/track_file.h"
-#include "query/all_values.h"
 #include "query/context.h"
+#include "query/query.h"
 #include "script/paths.h"
 #include "script/runner.h"
 

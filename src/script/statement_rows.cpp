@@ -13,7 +13,6 @@
 #include "edit/commands/set_setting.h"
 #include "edit/perform/seek.h"
 #include "query/condition.h"
-#include "query/goal.h"
 #include "query/query.h"
 #include "script/grammar.h"
 

@@ -1,10 +1,13 @@
 // Parsed scripts: statements as plain data. grammar.h parses them, runner.h runs them.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,9 +19,16 @@
 #include "platform/events.h"
 #include "query/condition.h"
 #include "script/host.h"
-#include "script/movie_rates.h"
 
 namespace coaster::script {
+
+// Frame rates of movies, in pictures a second. A picture shows a whole tick of 1/120 s, so rates divide 120.
+inline constexpr std::array kMovieRates{10, 12, 15, 20, 24, 30, 40, 60, 120};
+inline constexpr int kUsualMovieRate = 30;
+inline constexpr std::string_view kMovieRateWords = "10, 12, 15, 20, 24, 30, 40, 60 or 120";
+constexpr bool is_movie_rate(std::int64_t fps) {
+  return std::find(kMovieRates.begin(), kMovieRates.end(), fps) != kMovieRates.end();
+}
 
 struct Statement;
 using Block = std::vector<Statement>;

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/set_setting.h"
 #include "query/context.h"
+#include "world/motion.h"
 #include "world/panel_settings.h"
 
 namespace coaster::script {
@@ -18,6 +20,55 @@ using platform::Key;
 using platform::KeyPress;
 using platform::MouseButton;
 using platform::MouseMove;
+
+// --- Widgets by their paths
+
+bool ends_in(std::string_view path, std::string_view tail) {
+  return path.size() > tail.size() && path.ends_with(tail) && path[path.size() - tail.size() - 1] == '/';
+}
+
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t slash = path.find('/');
+    parts.push_back(base::lower(path.substr(0, slash)));
+    if (slash == std::string_view::npos) return parts;
+    path.remove_prefix(slash + 1);
+  }
+}
+
+// True if the wanted parts occur in `path` in order, the last one last.
+bool has_parts(std::string_view path, const std::vector<std::string>& want) {
+  const auto have = parts_of(path);
+  if (have.back() != want.back()) return false;
+  std::size_t next = 0;
+  for (const std::string& part : have)
+    if (next < want.size() && part == want[next]) ++next;
+  return next == want.size();
+}
+
+template <class Fits>
+std::vector<std::size_t> all(std::span<const query::Widget> widgets, Fits fits) {
+  std::vector<std::size_t> found, labels;
+  for (std::size_t i = 0; i < widgets.size(); ++i)
+    if (fits(widgets[i].path) || (!widgets[i].alias.empty() && fits(widgets[i].alias)))
+      (widgets[i].kind == "label" ? labels : found).push_back(i);
+  return found.empty() ? labels : found;
+}
+
+std::string last_part(std::string_view path) { return std::string(path.substr(path.rfind('/') + 1)); }
+
+std::string nearest_path(std::span<const query::Widget> widgets, std::string_view path) {
+  std::vector<std::string> paths;
+  for (const query::Widget& widget : widgets) paths.push_back(widget.path);
+  if (std::string hint = base::suggestion(path, paths); !hint.empty()) return hint;
+  std::vector<std::string> ends;
+  for (const query::Widget& widget : widgets) ends.push_back(last_part(widget.path));
+  const auto near = base::nearest(last_part(path), ends);
+  if (!near) return {};
+  const auto at = std::find(ends.begin(), ends.end(), *near) - ends.begin();
+  return fmt::format("; did you mean {}?", base::quoted_start(paths[static_cast<std::size_t>(at)]));
+}
 
 // Returns the number that a widget shows, without its unit.
 std::optional<double> number_shown(const std::string& text) {
@@ -35,6 +86,79 @@ bool is_inner_menu(const query::Widget& w) {
 }
 
 }  // namespace
+
+base::Status FrameDriver::apply(const edit::Command& command) {
+  changed();  // a rejected command shows a notice
+  return host_.apply(command);
+}
+
+base::Status FrameDriver::frame(platform::Events events, int ticks) {
+  events.insert(events.begin(), put_off_.begin(), put_off_.end());
+  put_off_.clear();
+  const std::uint64_t before = commands();
+  const base::Status status = host_.frame(events, ticks);
+  picture_stale_ = false;
+  panels_stale_ = !events.empty() || commands() != before;
+  return status;
+}
+
+void FrameDriver::put_off(platform::Events events) {
+  put_off_.insert(put_off_.end(), events.begin(), events.end());
+  panels_stale_ = true;
+}
+
+void FrameDriver::advance(std::int64_t ticks) {
+  if (ticks > 0) picture_stale_ = true;
+  constexpr std::int64_t kSlice = world::kTicksPerSecond;
+  while (ticks > 0 && !interrupted()) {
+    const auto some = static_cast<int>(std::min(ticks, kSlice));
+    host_.advance(some);
+    ticks -= some;
+  }
+}
+
+base::Status FrameDriver::settle() { return picture_stale_ ? frame({}, 0) : base::Status{}; }
+
+base::Status FrameDriver::settle_panels() {
+  if (!picture_stale_ && !panels_stale_) return {};
+  for (int i = 0; i < 2; ++i)
+    if (const base::Status status = frame({}, 0); !status) return status;
+  return {};
+}
+
+std::vector<std::size_t> find_widgets(std::span<const query::Widget> widgets, std::string_view path) {
+  if (path.size() > kMostPathBytes) return {};
+  auto found = all(widgets, [&](std::string_view p) { return p == path; });
+  if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(p, path); });
+  const std::string low = base::lower(path);
+  if (found.empty()) found = all(widgets, [&](std::string_view p) { return base::lower(p) == low; });
+  if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(base::lower(p), low); });
+  if (found.empty()) found = all(widgets, [want = parts_of(path)](std::string_view p) { return has_parts(p, want); });
+  return found;
+}
+
+base::Result<std::size_t> find_widget(std::span<const query::Widget> widgets, std::string_view path) {
+  if (path.size() > kMostPathBytes)
+    return base::Status{base::Code::usage, fmt::format("expected a widget's path of at most {} bytes, found {}",
+                                                       kMostPathBytes, path.size())};
+  const std::vector<std::size_t> found = find_widgets(widgets, path);
+  if (found.size() == 1) return found[0];
+  if (found.empty())
+    return base::Status{base::Code::usage,
+                        fmt::format("no widget {}{}", base::quoted_start(path), nearest_path(widgets, path))};
+  std::string list;
+  for (const std::size_t i : found)
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", base::quoted_start(widgets[i].path), widgets[i].kind);
+  return base::Status{base::Code::usage, fmt::format("{} matches several widgets: {}", base::quoted_start(path), list)};
+}
+
+std::string_view panel_of(std::string_view path) { return path.substr(0, path.find('/')); }
+
+bool is_on(const query::Widget& widget) { return widget.value == "on" || widget.value == "open"; }
+
+bool is_closed_header(const query::Widget& widget) {
+  return widget.kind == "header" && (widget.value == "off" || widget.value == "closed");
+}
 
 Status UiDriver::reach(std::string_view path) {
   if (Status found = find(path, widget_); !found) return found;

@@ -10,7 +10,6 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "sim/ground/ground.h"
-#include "sim/ride/ride.h"
 #include "sim/ride/train.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/rails.h"

@@ -12,7 +12,6 @@
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_detail.h"
-#include "view/section_handle.h"
 #include "world/laboratory_settings.h"
 #include "world/panel_settings.h"
 #include "world/sections.h"

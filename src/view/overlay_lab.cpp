@@ -11,7 +11,7 @@
 #include "curve/bernstein.h"
 #include "curve/frames.h"
 #include "sim/shape/rails.h"
-#include "sim/study/vertex_rounding.h"
+#include "sim/study/evaluator_benchmark.h"
 #include "world/evaluation_settings.h"
 #include "world/laboratory_settings.h"
 

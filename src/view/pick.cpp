@@ -9,11 +9,9 @@
 
 #include "sim/ride/ride.h"
 #include "sim/shape/derived_track.h"
-#include "view/closest_curve_points.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/pick_cone.h"
-#include "view/section_handle.h"
 #include "world/appearance_settings.h"
 
 namespace coaster::view {

@@ -16,8 +16,8 @@ enum class PickKind : std::uint8_t {
   handle_in,
   handle_out,
   spin,     // the handle of the spin ring (view/gizmo.h)
-  section,  // the handle of the selected section (view/section_handle.h)
-  turn,     // the handles of its angles (view/section_handle.h)
+  section,  // the handle of the selected section (view/gizmo.h)
+  turn,     // the handles of its angles (view/gizmo.h)
   bank,
   cart,
   curve,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -105,5 +106,9 @@ std::uint64_t hash(const Document& document);
 // Returns nothing if every invariant of this file and components.h holds, else one line that names the broken one. For
 // tests and after loading.
 std::optional<std::string> broken_invariant(const Document& document);
+
+// Returns what the track is called where people choose among files: its name; the name of its file, without the
+// extension, where nobody has named it. "" or the default name if it has no file either.
+std::string track_name(const std::string& name, const std::filesystem::path& file);
 
 }  // namespace coaster::world

@@ -1,7 +1,6 @@
 #include "world/force_program.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // Paint: the colours of a coaster, or of one section of it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

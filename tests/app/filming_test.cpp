@@ -7,7 +7,7 @@
 #include "app/pictures.h"
 #include "app/program_fixture.h"
 #include "gfx/image.h"
-#include "script/movie_rates.h"
+#include "script/statements.h"
 
 namespace coaster::app {
 namespace filming_test {

@@ -2,8 +2,6 @@
 
 #include "app/program_fixture.h"
 #include "app/scene.h"
-#include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"

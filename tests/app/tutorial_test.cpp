@@ -9,7 +9,7 @@
 #include "app/program_fixture.h"
 #include "app/script_host.h"
 #include "app/user_data_keeper.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"

@@ -2,8 +2,8 @@
 
 #include "app/program_fixture.h"
 #include "base/text.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "world/appearance_settings.h"

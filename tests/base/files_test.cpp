@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 namespace coaster::base {
 namespace files_test {

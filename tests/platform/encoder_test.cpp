@@ -1,5 +1,5 @@
 // The encoder of movies outside a page.
-#include "platform/browser_encoder.h"
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The loop of frames.
-#include "platform/frame_loop.h"
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The fonts of the system.
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

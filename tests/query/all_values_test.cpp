@@ -1,4 +1,5 @@
-#include "query/all_values.h"
+// The values of all queries as JSON: src/query/query.
+#include "query/query.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/tries.h"
-#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/session_fixture.h"
 #include "query/challenge_rules.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/scratch_folder.h"
 #include "curve/continuity.h"
-#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
 #include "query/context.h"

@@ -1,5 +1,5 @@
 // Goals, and searches for them by the command seek.
-#include "query/goal.h"
+#include "query/condition.h"
 
 #include <cmath>
 

@@ -8,7 +8,6 @@
 
 #include "edit/commands/commands_document.h"
 #include "script/fake_host.h"
-#include "script/widget_lookup.h"
 
 namespace coaster::script {
 namespace ui_driver_test {

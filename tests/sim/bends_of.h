@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/fit/track_samples.h"
+#include "sim/fit/sample_interpolation.h"
 #include "world/document.h"
 
 namespace coaster::test {

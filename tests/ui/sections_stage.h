@@ -1,7 +1,6 @@
 // A stage in the workspace Build with planned sections: straight q1, climb q2, dive q3, loop q4.
 #pragma once
 
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"

@@ -1,5 +1,5 @@
 // The rings around the selected section.
-#include "view/section_handle.h"
+#include "view/gizmo.h"
 
 #include <gtest/gtest.h>
 

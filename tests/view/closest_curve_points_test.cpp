@@ -1,4 +1,5 @@
-#include "view/closest_curve_points.h"
+// One cubic as seen from a pixel: all positions with a local minimum of the distance: src/view/pick_cone.
+#include "view/pick_cone.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "curve/bernstein.h"
-#include "sim/study/vertex_rounding.h"
+#include "sim/study/evaluator_benchmark.h"
 #include "sim/tracks.h"
 #include "world/evaluation_settings.h"
 #include "world/laboratory_settings.h"

@@ -1,4 +1,5 @@
-#include "view/section_handle.h"
+// Handles of sections: src/view/gizmo.
+#include "view/gizmo.h"
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Invariants: src/world/document.
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Hash of the state: src/world/document.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"

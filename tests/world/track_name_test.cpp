@@ -1,4 +1,5 @@
-#include "world/track_name.h"
+// Part: src/world/document.
+#include "world/document.h"
 
 #include <gtest/gtest.h>
 

@@ -16,8 +16,7 @@
 #include "edit/perform/change_propagation.h"
 #include "edit/perform/job_result.h"
 #include "edit/perform/perform_context.h"
-#include "edit/session/history.h"
-#include "edit/session/ride_watch.h"
+#include "edit/session/ride_report.h"
 #include "edit/session/session.h"
 #include "sim/shape/folds.h"
 

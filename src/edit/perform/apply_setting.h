@@ -1,7 +1,6 @@
 // Applies the command of a setting, of any group and type. The names of some types are in sim.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <type_traits>
 

@@ -5,7 +5,6 @@
 
 #include "base/cancellable_job.h"
 #include "base/text.h"
-#include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"

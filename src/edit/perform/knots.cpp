@@ -9,7 +9,6 @@
 #include "curve/frames.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
-#include "edit/perform/append_shape.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/perform_context.h"

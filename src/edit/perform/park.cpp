@@ -11,7 +11,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/perform_context.h"
-#include "exchange/own/kept_members.h"
+#include "exchange/own/park_member.h"
 #include "sim/ground/brush.h"
 #include "world/aid_settings.h"
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "sim/shape/detail_limits.h"
 #include "world/element_rows.h"
 #include "world/evaluation_settings.h"

@@ -15,8 +15,6 @@
 #include "curve/frames.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/job_result.h"
-#include "sim/plan/force_plan.h"
-#include "world/sections.h"
 #include "world/topology.h"
 
 namespace coaster::edit {

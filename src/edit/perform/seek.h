@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/least_change_solver.h"
-#include "edit/commands/commands_seek.h"
+#include "edit/commands/commands_session.h"
 #include "edit/perform/job_result.h"
 #include "edit/perform/perform_context.h"
 #include "edit/session/session.h"

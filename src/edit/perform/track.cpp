@@ -1,4 +1,5 @@
-// Commands that add and remove knots, segments and trains, and those of the document: name, start speed, datum.
+// Commands that add and remove knots, segments and trains, and those of the document: name, start speed, datum, the
+// coaster's kind and paint.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +8,6 @@
 #include "base/text.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
-#include "edit/perform/append_shape.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/perform_context.h"
 #include "sim/ground/land.h"
@@ -17,8 +17,11 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
+using glm::dmat3;
+using glm::dvec3;
 using world::Entity;
 using world::EntityKind;
+using world::Knot;
 
 constexpr float kStep = 10;         // m, distance to a new knot if there is nothing to split
 constexpr double kFirstHeight = 2;  // m above the ground, of the first knot at the origin
@@ -66,10 +69,6 @@ Entity longest_segment(const sim::DerivedTrack& derived) {
     if (const double length = derived.shape(e).arc.length(); length > most) most = length, longest = e;
   return longest;
 }
-
-using glm::dmat3;
-using glm::dvec3;
-using world::Knot;
 
 // Returns the front of a train after reversing the track: its former rear, so that it stays on the same rails.
 double turned(const sim::DerivedTrack& derived, double front, double behind) {
@@ -262,6 +261,66 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
   close_by_segment(document, 0);  // handles that fit the gap, whatever the ends' handles
   change.respun = {first, last};
   return {};
+}
+
+// --- The coaster's kind and paint
+
+using base::Status;
+
+namespace {
+
+// Trains have one paint for the whole track.
+Status paint_sections(Session& session, const Sections& named, const auto& change) {
+  const auto sections = chosen_sections(session, named);
+  if (!sections) return sections.status();
+  for (const world::Entity e : *sections) {
+    world::Paint& paint = session.document.entities.get<world::Section>(e).paint;
+    change(paint);
+    paint.train = {};
+  }
+  return {};
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const SetKind& command) {
+  world::Document& document = session.document;
+  const world::CoasterKindRow &was = base::row_of(document.kind), &is = base::row_of(command.to);
+  document.kind = command.to;
+  if (document.heartline == was.heartline && is.heartline != was.heartline) {
+    document.heartline = is.heartline;
+    change.note = fmt::format("The heartline is now {:.1f} m above the rails.", is.heartline);
+    if (is.heartline < 0) change.note = fmt::format("Riders hang {:.1f} m below the rails.", -is.heartline);
+  }
+  if (document.resistance == was.losses) document.resistance = is.losses;
+  constexpr float kFeet = 2.6f;  // m below the rails
+  const auto& knots = document.entities.pool<world::Knot>().items();
+  const auto low = std::ranges::count_if(knots, [](const world::Knot& knot) { return knot.position.y < kFeet; });
+  if (is.heartline < 0 && low > 0)
+    change.clamped.push_back(fmt::format("Riders' feet hang {} m below the rails: {} {} lower than that.", kFeet, low,
+                                         low == 1 ? "knot is" : "knots are"));
+  return {};
+}
+
+Status perform(Session& session, Change&, const PaintTrack& command) {
+  session.document.paint = base::row_of(command.to).paint;
+  return {};
+}
+
+Status perform(Session& session, Change&, const PaintTrackPart& command) {
+  session.document.paint.of(command.part) = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change&, const PaintSections& command) {
+  return paint_sections(session, command.sections,
+                        [&](world::Paint& paint) { paint = base::row_of(command.to).paint; });
+}
+
+Status perform(Session& session, Change&, const PaintSectionsPart& command) {
+  if (command.part == world::PaintPart::train)
+    return refused("trains have one paint for the whole track: use paint.colour");
+  return paint_sections(session, command.sections, [&](world::Paint& paint) { paint.of(command.part) = command.to; });
 }
 
 }  // namespace coaster::edit

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "edit/session/findings_memory.h"
-#include "sim/shape/polyline_error.h"
+#include "sim/shape/shape_distance.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
 #include "world/evaluation_settings.h"

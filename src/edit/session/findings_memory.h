@@ -18,17 +18,14 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
-#include "sim/solids/flooded_track.h"
 #include "sim/solids/station_mesh.h"
 #include "sim/solids/supports.h"
 #include "sim/study/closing_replan.h"
 #include "sim/study/colour_values.h"
 #include "sim/study/complete_circuit.h"
-#include "sim/study/element_clearance.h"
 #include "sim/study/jolt.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
-#include "sim/study/section_figures.h"
 
 namespace coaster::edit {
 

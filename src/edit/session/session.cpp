@@ -10,7 +10,7 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "base/text.h"
-#include "edit/session/ride_watch.h"
+#include "edit/session/ride_report.h"
 #include "exchange/own/share_link.h"
 #include "sim/plan/force_plan.h"
 #include "sim/shape/folds.h"
@@ -18,6 +18,25 @@
 #include "world/sections.h"
 
 namespace coaster::edit {
+namespace {
+
+// --- Undo and redo by the differences between documents, bit by bit: exact by construction, with memory proportional
+// to the changes
+
+// Applies the newest step of one stack and moves it to the other. Its size may change: the other side may be larger.
+template <class From, class To>
+bool step_over(History& history, From& from, To& to, world::Document& document) {
+  if (from.empty()) return false;
+  HistoryStep step = std::move(from.back());
+  from.pop_back();
+  history.bytes -= bytes_of(step);
+  world::exchange(step.change, document);
+  history.bytes += bytes_of(step);
+  to.push_back(std::move(step));
+  return true;
+}
+
+}  // namespace
 
 void notify(Session& session, NoticeKind kind, std::string text) {
   constexpr std::size_t kMost = 32;
@@ -163,6 +182,48 @@ std::string locked_text(const std::vector<std::string>& commands) {
     if (std::string label = label_of(command); std::ranges::find(labels, label) == labels.end())
       labels.push_back(std::move(label));
   return fmt::format("Locked in this challenge: {}.", fmt::join(labels, ", "));
+}
+
+std::size_t bytes_of(const HistoryStep& step) {
+  return sizeof(HistoryStep) - sizeof(world::DocumentDifference) + step.text.command.capacity() +
+         step.text.sentence.capacity() + world::bytes_of(step.change);
+}
+
+void record(History& history, StepText text, world::Document before, const world::Document& after) {
+  for (const HistoryStep& step : history.redo) history.bytes -= bytes_of(step);
+  history.redo.clear();
+  history.undo.push_back({std::move(text), world::difference_of(std::move(before), after)});
+  history.bytes += bytes_of(history.undo.back());
+  while (history.undo.size() > 1 && history.bytes > history.limit) {
+    history.bytes -= bytes_of(history.undo.front());
+    history.undo.pop_front();
+    ++history.dropped;
+  }
+}
+
+bool undo(History& history, world::Document& document) {
+  return step_over(history, history.undo, history.redo, document);
+}
+
+bool redo(History& history, world::Document& document) {
+  return step_over(history, history.redo, history.undo, document);
+}
+
+void begin_gesture(History& history, const world::Document& document) {
+  history.in_gesture = true;
+  history.gesture_start = document;
+  history.gesture_text = {};
+}
+
+void end_gesture(History& history, const world::Document& document) {
+  history.in_gesture = false;
+  world::Document start = std::exchange(history.gesture_start, {});
+  if (!(start == document)) record(history, history.gesture_text, std::move(start), document);
+}
+
+void cancel_gesture(History& history, world::Document& document) {
+  history.in_gesture = false;
+  document = std::exchange(history.gesture_start, {});
 }
 
 }  // namespace coaster::edit

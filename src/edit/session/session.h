@@ -5,24 +5,99 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/files.h"
+#include "base/status.h"
 #include "edit/commands/command.h"
-#include "edit/session/challenge.h"
 #include "edit/session/findings.h"
+#include "exchange/challenge_file.h"
+#include "exchange/own/challenge_progress_file.h"
 #include "exchange/own/track_file.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived_track.h"
+#include "sim/shape/shape_distance.h"
 #include "sim/study/evaluator_benchmark.h"
 #include "sim/study/force_limits.h"
+#include "sim/study/ratings.h"
 #include "world/document_difference.h"
 
 namespace coaster::edit {
+
+struct Session;
+
+// --- A challenge in progress, the end of a ride, and the verdict on both. Rules are evaluated above this room: the
+// referee is passed in as functions (query/challenge_rules.h)
+
+// The result of judging a challenge.
+struct ChallengeVerdict {
+  int medal = 0;                // 0 not passed, 1 bronze, 2 silver, 3 gold
+  std::string reason;           // why it failed: "Lateral: you have 1.40 g at 87.0 m; you need ..."; empty if it passed
+  std::optional<double> place;  // m along the track, where it failed
+  std::vector<exchange::BestValue> values;  // values that its rules compare
+};
+
+struct ActiveChallenge {
+  exchange::ChallengeFile file;
+  std::string path;          // the challenge's file
+  int hints = 0;             // number of hints shown
+  int medal = 0;             // the best since it was started
+  std::uint64_t judged = 0;  // number of judgements
+  ChallengeVerdict last;
+  sim::ShapeTrace shape;  // of the start track
+};
+
+// How far a session is from a goal such as "ride.lap_time == 40 +-0.1".
+struct GoalState {
+  double found = 0, wanted = 0, tolerance = 0;  // in the query's unit; tolerance > 0
+  bool met = false;
+  std::string name, unit;  // "Lap time", "s"
+};
+
+// Evaluates expressions for the session. If all are null, challenges are loaded unchecked and never judged, and seek is
+// unavailable.
+struct ExpressionEvaluator {
+  // Checks that every expression can be parsed; else Code::bad_file with "PATH: error: goals[1].expect: ...".
+  base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
+  // Judges the session's challenge, which must exist, on the present session; only findings change. `result`: how the
+  // ride ended, null for JudgedWhen::build.
+  ChallengeVerdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
+  // Measures a goal. Code::usage if it cannot be parsed, Code::refused if its query has no value.
+  base::Result<GoalState> (*measure)(Session& session, const std::string& goal) = nullptr;
+};
+
+enum class RideEnd : std::uint8_t { lap, open_end, time, failed };
+inline constexpr base::NameRow kRideEnds[] = {{"lap", "Lap completed"},
+                                              {"open end", "End of the track reached"},
+                                              {"time", "Time limit reached"},
+                                              {"failed", "Ride failed"}};
+constexpr std::span<const base::NameRow> rows_of(RideEnd) { return kRideEnds; }
+
+// The end of a ride, for the score card.
+struct RideResult {
+  RideEnd end = RideEnd::lap;
+  std::string reason;           // reason of a failure: "stalled at 132.4 m, 2.1 m below the top at 141.0 m, ..."
+  std::optional<double> place;  // m along the track, where it failed
+  bool below_top = false;       // it stopped on the way up: a lift there would take it over the top
+  bool whole = true;            // the train ran from its start on this track, and `ratings` are of this ride
+  sim::Ratings ratings;
+  double seconds = 0;                       // from the start to the end of the ride
+  std::optional<ChallengeVerdict> verdict;  // of the challenge, if there was one
+  std::uint64_t serial = 0;                 // number of the result
+};
+
+// A ride in progress.
+struct RideInProgress {
+  bool under_way = false;      // running, and its end not yet reported
+  bool whole = false;          // from the start, and not moved by hand since
+  std::uint64_t document = 0;  // hash at the start
+  std::uint64_t ticks = 0;
+};
+
+// --- The session
 
 // The command and the sentence of an undo step.
 struct StepText {
@@ -169,5 +244,23 @@ void advance(Session& session, int ticks);
 
 // Returns a session with an empty document.
 Session make_session(sim::Clock clock);
+
+// --- Undo and redo stacks and gestures. These functions handle only documents: apply() updates the rest of the session
+
+// Pushes the step from `before` to `after` on the undo stack and clears the redo stack; drops the oldest steps beyond
+// the history's limit, but never this one.
+void record(History& history, StepText text, world::Document before, const world::Document& after);
+// Turn `document` into the one before the newest step or after the next one; return false if there is none.
+bool undo(History& history, world::Document& document);
+bool redo(History& history, world::Document& document);
+
+void begin_gesture(History& history, const world::Document& document);
+// Makes one step of everything that changed since begin_gesture(); none if nothing changed.
+void end_gesture(History& history, const world::Document& document);
+// Restores the document from begin_gesture().
+void cancel_gesture(History& history, world::Document& document);
+
+// Returns the memory of a step, bytes.
+std::size_t bytes_of(const HistoryStep& step);
 
 }  // namespace coaster::edit

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/own/kept_members.h"
 #include "exchange/own/share_link.h"
 
 namespace coaster::exchange {

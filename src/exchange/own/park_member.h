@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exchange/own/json.h"
+#include "world/components.h"
 #include "world/park.h"
 
 namespace coaster::exchange {
@@ -21,5 +23,8 @@ std::string pack_tiles(const world::GroundTiles& tiles);
 // Returns the tiles of such a text. Code::bad_file with one line for a text that is damaged or unpacks to more than all
 // tiles take, a tile outside the square, out of order or without content, and heights beyond the limit.
 base::Result<world::GroundTiles> unpack_tiles(std::string_view text);
+
+// Takes a member out of those that a document has kept, if it is among them.
+void drop_member(world::UnknownMembers& kept, std::string_view member);
 
 }  // namespace coaster::exchange

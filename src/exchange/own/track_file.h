@@ -2,7 +2,6 @@
 // a document.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>

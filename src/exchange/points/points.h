@@ -1,8 +1,6 @@
 // Lists of points, as courses and programs of computer graphics write them: three numbers a row (docs/track-format.md).
 #pragma once
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "sim/fit/fit_track.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.h"
 #include "base/portable_math.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/fit/track_samples.h"
+#include "sim/fit/sample_interpolation.h"
 
 namespace coaster::sim {
 

@@ -6,7 +6,6 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
-#include "sim/fit/sample_interpolation.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
 #include "world/motion.h"

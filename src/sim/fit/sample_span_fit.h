@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
-#include "sim/fit/track_samples.h"
+#include "sim/fit/sample_interpolation.h"
 
 namespace coaster::sim {
 

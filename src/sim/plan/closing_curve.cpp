@@ -1,12 +1,10 @@
 #include "sim/plan/closing_curve.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/portable_math.h"
-#include "sim/plan/closing_heights.h"
 #include "world/motion.h"
 
 namespace coaster::sim {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "sim/plan/closing_heights.h"

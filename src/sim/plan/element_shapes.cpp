@@ -10,7 +10,6 @@
 
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "sim/plan/element_path.h"
 #include "world/element_rows.h"
 #include "world/motion.h"
 

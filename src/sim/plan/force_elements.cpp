@@ -1,20 +1,16 @@
 // The keys of the force elements: consecutive keys, and the walk to their end.
 #include "sim/plan/force_elements.h"
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/least_change_solver.h"
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "sim/plan/force_end_state.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/train.h"
 #include "world/element_rows.h"

@@ -3,7 +3,6 @@
 #include "sim/plan/force_end_constraint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/numerics.h"

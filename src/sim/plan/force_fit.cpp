@@ -11,7 +11,6 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "curve/span_search.h"
-#include "sim/plan/element_fit.h"
 #include "sim/ride/train.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"

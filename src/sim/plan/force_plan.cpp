@@ -1,6 +1,5 @@
 #include "sim/plan/force_plan.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

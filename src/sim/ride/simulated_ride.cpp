@@ -1,11 +1,8 @@
 // Simulated rides and their cache.
 #include "sim/ride/simulated_ride.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "base/cancellable_job.h"
 #include "sim/ride/simulated_ride_detail.h"

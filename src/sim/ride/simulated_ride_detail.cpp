@@ -1,6 +1,5 @@
 #include "sim/ride/simulated_ride_detail.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "sim/ride/train.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace coaster::sim {

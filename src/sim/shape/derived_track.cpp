@@ -2,8 +2,6 @@
 #include "sim/shape/derived_track.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -12,8 +10,7 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "curve/carried_frame.h"
-#include "sim/shape/polyline_error.h"
-#include "world/evaluation_settings.h"
+#include "sim/shape/shape_distance.h"
 
 namespace coaster::sim {
 namespace {

@@ -2,7 +2,6 @@
 #include "sim/shape/folds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

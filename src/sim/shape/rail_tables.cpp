@@ -2,7 +2,6 @@
 // until each turns little, so a bend of any sharpness is integrated to its last part.
 #include "sim/shape/rail_tables.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -1,4 +1,4 @@
-// Places where track, or a planned line, lacks clearance (sim/solids/conflicts.h), or is under water (flooded_track.h).
+// Places where track, or a planned line, lacks clearance or is under water (sim/solids/conflicts.h).
 #pragma once
 
 #include <span>

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/ground/ground.h"
 #include "sim/shape/derived_track.h"
 #include "sim/solids/conflict_types.h"
 
@@ -82,5 +83,11 @@ class Conflicts {
   std::uint64_t last_build_ = 0;
   int looked_at_ = 0;
 };
+
+// --- Track under water: a warning, as track that is too close to other track is
+
+// Returns the stretches of track under the water of a land, in the track's order. Track in a tunnel below a lake is
+// dry, and so is all without a land; an open cut below the water's level is flooded.
+std::vector<FloodedTrack> flooded_track(const Ground& ground);
 
 }  // namespace coaster::sim

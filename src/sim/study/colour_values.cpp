@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/study/vertex_rounding.h"
-#include "sim/study/wheel_loads.h"
+#include "sim/study/evaluator_benchmark.h"
+#include "sim/study/riders.h"
 #include "world/evaluation_settings.h"
 #include "world/laboratory_settings.h"
 

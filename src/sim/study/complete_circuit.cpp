@@ -1,7 +1,6 @@
 #include "sim/study/complete_circuit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -15,7 +14,6 @@
 #include "curve/frames.h"
 #include "sim/ride/train.h"
 #include "sim/study/closing_replan.h"
-#include "sim/study/element_clearance.h"
 #include "sim/study/jolt.h"
 #include "world/motion.h"
 #include "world/topology.h"
@@ -220,6 +218,27 @@ std::string out_of_reach(double risen) {
 }
 
 }  // namespace
+
+// --- Clearance of an element of the palette at the end of the track
+
+std::vector<LinePoint> line_of(const ElementCurve& curve, double rails) {
+  constexpr double kMostChords = 600;
+  const double step = std::max(kConflictStep, curve.length() / kMostChords);
+  std::vector<LinePoint> line;
+  for (const ElementPoint& p : curve.points)
+    if (line.empty() || p.s >= double{line.back().s} + step || &p == &curve.points.back())
+      line.push_back({glm::vec3(p.position + rails * p.up), glm::vec3(p.up), static_cast<float>(p.s)});
+  return line;
+}
+
+const std::vector<LineConflict>& ElementClearance::update(const ElementPlan& plan, const Conflicts& conflicts,
+                                                          const DerivedTrack& derived, double rails) {
+  if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order && rails_ == rails) return found_;
+  plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order, rails_ = rails;
+  found_.clear();
+  if (plan.refusal.empty()) found_ = conflicts.against(derived, line_of(plan.ideal, rails));
+  return found_;
+}
 
 std::optional<CircuitTask> circuit_task(const world::Document& document, const DerivedTrack& derived,
                                         const SimulatedRide* ride) {

@@ -1,7 +1,6 @@
 #include "sim/study/track_errata.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/check.h"

@@ -8,10 +8,8 @@
 #include <array>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "base/text.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_ride.h"
@@ -21,7 +19,6 @@
 #include "exchange/own/share_link.h"
 #include "ui/actions/actions_detail.h"
 #include "ui/tools/camera_controls.h"
-#include "ui/tools/preview_placement.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/show_places.h"
 #include "world/aid_settings.h"

@@ -31,7 +31,7 @@ inline constexpr ActionCondition kAlways{[](const ActionContext&) { return true;
 struct Action {
   std::string_view name;     // shown in the menu
   std::string_view menu;     // "View", or "View/Camera" for a menu inside; "" if it is in none
-  platform::KeyChord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
+  platform::KeyChord chord;  // default key; Key::unknown for none (the user's settings may replace it: KeyMap)
   // kRepeats: again while the key is held; kInDrag: while the mouse drags something, too; kOnStart: on the start
   // screen, too.
   unsigned keys;

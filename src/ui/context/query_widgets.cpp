@@ -1,11 +1,9 @@
 #include "ui/context/query_widgets.h"
+#include "ui/context/setting_widgets.h"
 
-#include <algorithm>
-#include <string>
-
+#include "base/folders.h"
 #include "query/context.h"
 #include "query/query.h"
-#include "ui/context/setting_widgets.h"
 
 namespace coaster::ui {
 namespace {
@@ -54,6 +52,23 @@ int known_medal(const Ui& ui, const std::filesystem::path& challenge) {
   const exchange::ChallengeProgress* const kept =
       ui.state.kept ? exchange::find(ui.state.kept->progress, key) : nullptr;
   return std::max(now ? now->medal : 0, kept ? kept->medal : 0);
+}
+
+// --- The user's files
+
+std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (const auto entries = base::list_folder(folder))
+    for (const base::FolderEntry& entry : *entries)
+      if (!entry.folder && entry.name.ends_with(".json")) files.push_back(folder / entry.name);
+  return files;
+}
+
+std::optional<std::filesystem::path> challenge_after(const edit::ActiveChallenge& challenge) {
+  const std::filesystem::path now(challenge.path);
+  for (const std::filesystem::path& file : json_files(now.parent_path()))  // by name
+    if (file.filename() > now.filename()) return file;
+  return std::nullopt;
 }
 
 }  // namespace coaster::ui

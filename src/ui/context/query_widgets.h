@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "edit/session/session.h"
 #include "ui/context/ui.h"
 
 namespace coaster::ui {
@@ -42,5 +44,13 @@ void colouring_box(Ui& ui);
 
 // Returns the best medal of the challenge in that file, earned in this run or an earlier one; 0: none.
 int known_medal(const Ui& ui, const std::filesystem::path& challenge);
+
+// --- The user's files
+
+// Returns the .json files of a folder, by name; none if the folder does not exist.
+std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder);
+
+// Returns the file after that of the session's challenge in its folder, by name; nothing after the last one.
+std::optional<std::filesystem::path> challenge_after(const edit::ActiveChallenge& challenge);
 
 }  // namespace coaster::ui

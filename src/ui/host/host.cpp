@@ -11,7 +11,6 @@
 
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "platform/events.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"

@@ -9,11 +9,9 @@
 
 #include "gfx/gl.h"
 #include "platform/events.h"
-#include "ui/context/output.h"
 #include "ui/context/state.h"
-#include "ui/host/imgui_input.h"
-#include "ui/host/imgui_renderer.h"
-#include "ui/widgets/widget_list.h"
+#include "ui/host/imgui_backend.h"
+#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "sim/study/track_errata.h"
 #include "ui/context/query_widgets.h"

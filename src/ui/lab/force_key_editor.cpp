@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,7 +15,6 @@
 #include "base/text.h"
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_session.h"
-#include "platform/events.h"
 #include "sim/plan/force_plan.h"
 #include "ui/context/ui.h"
 #include "ui/lab/page_widgets.h"

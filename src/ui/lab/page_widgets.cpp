@@ -4,13 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
 #include "world/laboratory_settings.h"

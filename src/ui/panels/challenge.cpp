@@ -7,12 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/session/session.h"
 #include "query/challenge_rules.h"
 #include "ui/context/query_widgets.h"
-#include "ui/context/user_files.h"
 #include "ui/panels/panels.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"

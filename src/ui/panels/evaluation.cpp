@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
-#include "sim/shape/polyline_error.h"
+#include "sim/shape/shape_distance.h"
 #include "ui/context/query_widgets.h"
 #include "ui/context/setting_widgets.h"
 #include "ui/panels/panels.h"

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/set_setting.h"
 #include "sim/ground/ground.h"
 #include "sim/plan/element_plan.h"
@@ -19,7 +19,6 @@
 #include "sim/study/jolt.h"
 #include "ui/context/query_widgets.h"
 #include "ui/panels/element_equipment_fields.h"
-#include "ui/tools/preview_placement.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +10,7 @@
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_sections.h"
 #include "sim/plan/force_plan.h"
-#include "sim/study/section_figures.h"
+#include "sim/study/riders.h"
 #include "ui/context/query_widgets.h"
 #include "ui/panels/element_equipment_fields.h"
 #include "ui/panels/selected_sections.h"

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/set_setting.h"
-#include "sim/study/section_figures.h"
+#include "sim/study/riders.h"
 #include "ui/context/ui.h"
 #include "ui/panels/element_equipment_fields.h"
 #include "ui/tools/selecting.h"

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "edit/commands/commands_seek.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
-#include "query/goal.h"
+#include "query/condition.h"
 #include "query/query.h"
 #include "ui/context/query_widgets.h"
 #include "ui/context/ui.h"

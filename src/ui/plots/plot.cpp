@@ -11,7 +11,6 @@
 
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {

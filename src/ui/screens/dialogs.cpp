@@ -10,7 +10,7 @@
 
 #include "base/file_lock.h"
 #include "base/folders.h"
-#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/points/points.h"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "exchange/formats.h"
-#include "ui/screens/challenge_list.h"
 #include "ui/screens/file_browser.h"
+#include "ui/screens/start_screen.h"
 
 namespace coaster::ui {
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,7 +19,7 @@
 #include "ui/tools/show_places.h"
 #include "ui/widgets/theme.h"
 #include "view/colour_map.h"
-#include "view/section_handle.h"
+#include "view/gizmo.h"
 #include "world/aid_settings.h"
 #include "world/camera_feel.h"
 #include "world/laboratory_settings.h"

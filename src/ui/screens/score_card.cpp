@@ -11,10 +11,9 @@
 
 #include "base/text.h"
 #include "base/units.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
-#include "ui/context/user_files.h"
+#include "ui/context/query_widgets.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

@@ -10,7 +10,7 @@
 
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
-#include "ui/tools/preview_placement.h"
+#include "ui/tools/show_places.h"
 #include "world/aid_settings.h"
 #include "world/camera_feel.h"
 #include "world/sections.h"

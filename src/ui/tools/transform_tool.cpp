@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <string>
 #include <variant>
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 // Tables on top of Dear ImGui's.
 #include "ui/widgets/table.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string_view>
 #include <utility>
 
 #include "base/files.h"
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 #include "ui/widgets/imgui_compat.h"
 #include "world/appearance_settings.h"
 

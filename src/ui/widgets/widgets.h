@@ -1,6 +1,6 @@
 // Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above if both do not
 // fit), shows a tooltip, and registers itself under "Panel/Label" for scripts; labels may be "Shown###Id"
-// (widget_list.h). They return the user's input and change no state.
+// (WidgetList). They return the user's input and change no state.
 #pragma once
 
 #include <imgui.h>
@@ -13,13 +13,44 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
 
 #include "base/enum_names.h"
 #include "base/units.h"
 #include "platform/events.h"
-#include "ui/widgets/widget_list.h"
+#include "query/widget.h"
+
+struct ImGuiWindow;
 
 namespace coaster::ui {
+
+// Returns the visible part of a label: a label "Shown###Id" shows its first part and has the second as id; others are
+// their own id.
+std::string_view shown(std::string_view label);
+std::string_view id_of(std::string_view label);
+
+using query::Widget;
+
+// The widgets of a frame, in drawing order.
+class WidgetList {
+ public:
+  void clear();
+  // Adds a widget over [low, high) of the window being built; `path` is made of labels. The window's clip rectangle
+  // decides whether it is visible.
+  void add(std::string_view path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
+           std::string value);
+  // Of the widget added last: its label does not fit.
+  void mark_cut() { widgets_.back().cut = true; }
+  // After ImGui::Render(): finds the covered ones.
+  void finish();
+  const std::vector<Widget>& widgets() const { return widgets_; }
+
+ private:
+  std::vector<Widget> widgets_;
+  std::vector<const ImGuiWindow*> windows_;
+};
 
 // The text being typed.
 struct Entry {

@@ -1,4 +1,5 @@
-#include "edit/perform/append_shape.h"
+// The shape of appended knots: src/edit/perform/knot_runs.
+#include "edit/perform/knot_runs.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"

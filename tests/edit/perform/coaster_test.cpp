@@ -1,7 +1,7 @@
 // Kind and paint of the coaster.
 #include <algorithm>
 
-#include "edit/commands/commands_coaster.h"
+#include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/share_link.h"
 #include "exchange/own/track_file.h"

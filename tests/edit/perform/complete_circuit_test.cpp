@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "base/tries.h"
 #include "curve/continuity.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/random_tracks.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/coaster_form.h"

@@ -1,9 +1,10 @@
+// Commands of elements: src/edit/perform/sections.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
 #include "base/tries.h"
 #include "curve/continuity.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/session_fixture.h"
 #include "sim/random_elements.h"
 #include "world/aid_settings.h"

@@ -1,6 +1,6 @@
 // Commands of the park and of its ground.
 #include "edit/commands/commands_park.h"
-#include "edit/session/history.h"
+#include "edit/session/session.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/share_link.h"
 #include "sim/ground/brush.h"

@@ -1,3 +1,4 @@
+// Commands of the ride: src/edit/perform/settings.
 #include <limits>
 
 #include "edit/commands/commands_ride.h"

@@ -1,4 +1,5 @@
-#include "edit/session/history.h"
+// History: src/edit/session/session.
+#include "edit/session/session.h"
 
 #include "base/tries.h"
 #include "edit/session/findings_memory.h"

@@ -7,7 +7,6 @@
 
 #include "base/tries.h"
 #include "exchange/bad_file.h"
-#include "exchange/own/kept_members.h"
 #include "exchange/own/share_link.h"
 #include "exchange/own/track_file.h"
 #include "sim/ground/brush.h"

@@ -1,4 +1,5 @@
-#include "sim/plan/force_end_state.h"
+// Part: src/sim/plan/force_elements.
+#include "sim/plan/force_elements.h"
 
 #include <gtest/gtest.h>
 

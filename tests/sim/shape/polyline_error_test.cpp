@@ -1,4 +1,5 @@
-#include "sim/shape/polyline_error.h"
+// The errors of a polyline: rounding, and the distance of its chords from the curve: src/sim/shape/shape_distance.
+#include "sim/shape/shape_distance.h"
 
 #include <gtest/gtest.h>
 

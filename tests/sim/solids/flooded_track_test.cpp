@@ -1,4 +1,4 @@
-#include "sim/solids/flooded_track.h"
+// Track under water: src/sim/solids/conflicts.
 
 #include <gtest/gtest.h>
 

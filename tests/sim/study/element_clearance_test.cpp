@@ -1,6 +1,6 @@
 // A straight that would cross the track's beginning at a right angle: its clearance follows from the distance of the
 // two lines, as for existing track (tests/sim/solids/conflicts_test.cpp).
-#include "sim/study/element_clearance.h"
+#include "sim/study/complete_circuit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-#include "sim/study/overload_advice.h"
+// Advice on overloads: src/sim/study/force_limits.
 #include "edit/perform/apply.h"
+#include "sim/study/force_limits.h"
 
 #include <gtest/gtest.h>
 

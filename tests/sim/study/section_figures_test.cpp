@@ -1,4 +1,5 @@
-#include "sim/study/section_figures.h"
+// Figures of each section of the track: length, heights, and of a ride the speeds and g: src/sim/study/riders.
+#include "sim/study/riders.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
 // What a ride passes on lands of known shape, and what it adds to the ratings.
-#include "sim/study/surroundings.h"
 
 #include <random>
 

@@ -1,4 +1,6 @@
-#include "sim/study/vertex_rounding.h"
+// Rounding errors of a polyline: each vertex against the exact point at the same t. A picture magnifies them, a plot
+// shows their size: src/sim/study/evaluator_benchmark.
+#include "sim/study/evaluator_benchmark.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,7 @@
-#include "sim/study/wheel_loads.h"
+// Loads of a car's wheels, by statics: the forces with which the rails give the car its felt g (docs/ride.md). A car
+// has two bogies. Each side of a bogie has a road wheel above the rail, an up-stop wheel below it and a side wheel
+// outside it: src/sim/study/riders.
+#include "sim/study/riders.h"
 
 #include <gtest/gtest.h>
 

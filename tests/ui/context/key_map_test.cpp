@@ -1,4 +1,5 @@
-#include "ui/context/key_map.h"
+// Part: src/ui/context/ui.
+#include "ui/context/ui.h"
 
 #include <gtest/gtest.h>
 

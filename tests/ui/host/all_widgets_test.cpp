@@ -17,11 +17,10 @@
 #include <vector>
 
 #include "base/scratch_folder.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/all_parts_stage.h"

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"

@@ -7,7 +7,6 @@
 
 #include "base/scratch_folder.h"
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"

@@ -1,5 +1,5 @@
 // What several events of one frame become in the frames that follow.
-#include "ui/host/imgui_input.h"
+#include "ui/host/imgui_backend.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "ui/host/imgui_input.h"
+// Input of Dear ImGui: src/ui/host/imgui_backend.
+#include "ui/host/imgui_backend.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -1,4 +1,5 @@
-#include "ui/host/imgui_renderer.h"
+// Part: src/ui/host/imgui_backend.
+#include "ui/host/imgui_backend.h"
 
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"

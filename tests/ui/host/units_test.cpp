@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
 #include "ui/panels/panels.h"

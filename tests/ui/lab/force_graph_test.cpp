@@ -2,7 +2,7 @@
 #include "ui/lab/strips.h"
 
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"

@@ -1,4 +1,4 @@
-// The page Riders (ui/lab/ride_pages.cpp).
+// The page Riders (ui/lab/ride_plots.cpp).
 #include <cstdlib>
 #include <sstream>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/set_setting.h"
 #include "ui/panels/element_equipment_fields.h"
 #include "ui/panels/panels.h"

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aid_settings.h"

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "curve/evaluators.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"

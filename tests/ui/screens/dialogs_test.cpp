@@ -5,9 +5,9 @@
 
 #include "base/scratch_folder.h"
 #include "edit/commands/codec.h"
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_park.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 

@@ -1,7 +1,7 @@
 // The legend of the track's colours (ui/screens/hud.h).
 #include <imgui.h>
 
-#include "edit/commands/commands_lab.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/laboratory_settings.h"

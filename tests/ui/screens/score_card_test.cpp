@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "edit/commands/commands_challenge.h"
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"

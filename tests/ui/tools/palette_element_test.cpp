@@ -1,8 +1,8 @@
-// Choosing and placing the element of the palette (ui/tools/preview_placement.h).
-#include "ui/tools/preview_placement.h"
+// Choosing and placing the element of the palette (ui/tools/show_places.h).
+#include "ui/tools/show_places.h"
 
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"

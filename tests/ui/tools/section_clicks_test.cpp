@@ -5,7 +5,6 @@
 #include "ui/sections_stage.h"
 #include "ui/widgets/widgets.h"
 #include "view/gizmo.h"
-#include "view/section_handle.h"
 #include "world/element_rows.h"
 #include "world/panel_settings.h"
 #include "world/selection.h"

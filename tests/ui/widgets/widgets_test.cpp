@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/appearance_settings.h"

@@ -1,15 +1,20 @@
-// Feeds a frame's events to Dear ImGui. ImGui gets one change of a button per frame, at the position where it happened;
-// further changes wait for the next frames. Double clicks depend on the time and position of the presses, not on the
-// frame rate. The time of an event is that of its poll. Fingers scroll panels.
+// The backend of Dear ImGui. It feeds it a frame's events: ImGui gets one change of a button per frame, at the position
+// where it happened; further changes wait for the next frames. Double clicks depend on the time and position of the
+// presses, not on the frame rate. The time of an event is that of its poll. Fingers scroll panels.
+// It draws ImGui's draw lists with the program's GL table, the same on every surface. No gamma correction.
 #pragma once
 
 #include <imgui.h>
 
 #include <array>
 #include <cfloat>
+#include <cstdint>
 #include <deque>
+#include <map>
 #include <string>
 
+#include "base/status.h"
+#include "gfx/gl_objects.h"
 #include "platform/events.h"
 
 namespace coaster::ui {
@@ -78,6 +83,26 @@ class ImGuiInput {
   std::array<int, std::tuple_size_v<Keys>> presses_of_key_{};  // not shown yet
   platform::Modifiers modifiers_;
   std::string late_text_;
+};
+
+class ImGuiRenderer {
+ public:
+  // `gl` must outlive the renderer, and its context must be current in every call. Code::graphics with the compiler's
+  // log on failure.
+  static base::Result<ImGuiRenderer> make(const gfx::Gl& gl);
+  // Draws into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or
+  // texture bound.
+  void draw(const ImDrawData& data, int width, int height);
+
+ private:
+  ImGuiRenderer(const gfx::Gl& gl, gfx::ShaderProgram program);
+  void update_textures();
+  void draw_list(const ImDrawList& list, ImVec2 origin, int width, int height);
+
+  const gfx::Gl* gl_;
+  gfx::ShaderProgram program_;
+  gfx::GlObject array_, vertices_, indices_;
+  std::map<std::uintptr_t, gfx::GlObject> textures_;  // by texture id, from kOwnTexture on
 };
 
 }  // namespace coaster::ui

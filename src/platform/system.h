@@ -1,15 +1,35 @@
-// A browser's encoder of movies: web_page.cpp has it, desktop.cpp says that there is none.
+// What a desktop (desktop.cpp) and a page (web_page.cpp) each have in their own way: the system's fonts (fontconfig)
+// for characters that the program's own font lacks, the loop of frames, and a browser's encoder of movies.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/status.h"
 
 namespace coaster::platform {
+
+// A font file of outlines, and the font's place in it.
+struct SystemFont {
+  std::string path;
+  int index = 0;
+};
+
+// Returns the fonts that together have as many of the characters as the system's fonts have; none without fontconfig.
+std::vector<SystemFont> fonts_with(std::vector<unsigned> characters);
+
+// --- The loop of frames, which a browser runs itself
+
+// Calls `step` until it returns false, then returns the result of `finish`. In a web page it returns 0 at once: the
+// browser continues to call `step`, and after the last one the program ends with the result of `finish`.
+int run_frames(std::function<bool()> step, std::function<int()> finish);
+
+// --- A browser's encoder of movies
 
 // A browser's own encoder of movies (WebM). Only a page has one: elsewhere movies are files of pictures (app/movie.h).
 class BrowserEncoder {
