@@ -1,3 +1,4 @@
+// The land beyond the square, as one mesh around it.
 #include "gfx/land_cache.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Which patches of the land are drawn, and how finely.
 #include "gfx/land_cache.h"
 
 #include <map>
