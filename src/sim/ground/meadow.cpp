@@ -9,8 +9,8 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kSpacing = 0.55;               // m between tufts in the densest meadow
-constexpr double kPlaza = 15, kPathReach = 24;  // m about the rails of a station, and about its middle
+constexpr double kSpacing = 0.45;                          // m between tufts in the densest meadow
+constexpr double kBeside = 5.5, kPlaza = 8.5, kPath = 17;  // m: radii about rails and plazas; from the rails to a path
 enum MeadowSeed : std::uint32_t { kHere = 201, kAside, kAlong, kSize, kTurn, kFlower, kKind, kPatches };
 
 bool at_station(std::span<const glm::dvec3> stations, glm::dvec2 at) {
@@ -19,16 +19,19 @@ bool at_station(std::span<const glm::dvec3> stations, glm::dvec2 at) {
   });
 }
 
-// Returns circles (x, z, radius) around stations within reach of the eye.
+// Returns circles (x, z, radius) within reach of the eye: stations with their plazas and paths on the right.
 std::vector<glm::dvec3> stations_near(const Ground& ground, glm::vec3 eye) {
   std::vector<glm::dvec3> circles;
-  glm::dvec3 middle(0);
+  glm::dvec3 middle(0), aside(0);
+  const auto add = [&](glm::dvec3 at, double radius) { circles.emplace_back(at.x, at.z, radius); };
+  double stations = 0;
   for (const TrackSample& sample : ground.samples()) {
     if (!sample.station) continue;
-    circles.emplace_back(sample.at.x, sample.at.z, kPlaza);
-    middle += glm::dvec3(sample.at.x, sample.at.z, 1);
+    aside = glm::cross(sample.forward, sample.up);
+    add(sample.at, kBeside), add(sample.at + kPlaza * aside, kPlaza);
+    middle += sample.at, ++stations;
   }
-  if (middle.z > 0) circles.emplace_back(middle.x / middle.z, middle.y / middle.z, kPathReach);
+  if (stations > 0) add(middle / stations + kPath * aside, kPlaza);
   std::erase_if(circles, [&](const glm::dvec3& circle) {
     return glm::distance(glm::dvec2(circle.x, circle.y), glm::dvec2(eye.x, eye.z)) > kMeadowReach + circle.z;
   });
@@ -68,7 +71,7 @@ std::vector<MeadowPlant> meadow_around(const LandMesh& land, const Ground& groun
       const bool flower = chance(kFlower) < 0.16 * smooth_step(0.0, 0.7, noise(at.x / 17, at.y / 17, seed + kPatches));
       MeadowPlant& plant = plants.emplace_back();
       plant.foot = glm::vec3(at.x, height, at.y);
-      plant.size = static_cast<float>((0.65 + 0.7 * chance(kSize)) * std::fmin(3 * part, 1));
+      plant.size = static_cast<float>((0.5 + 0.6 * chance(kSize)) * std::fmin(3 * part, 1));
       const base::SinCos turned = base::sin_cos(6.2831853 * chance(kTurn));
       plant.turn = glm::vec2(turned.cos, turned.sin);
       plant.tint = glm::clamp(tint + 0.25f * static_cast<float>(chance(kKind) - 0.5), 0.0f, 1.0f);

