@@ -102,7 +102,10 @@ void main() {
     for (int i = 0; i < lamps; ++i) {
       vec2 there = textureLod(lamp_map, world.xz / lamp_square + 0.5, 0.0).rg;
       float over = (world.y - cast_heights.x - there.g * cast_heights.y) / 7.0;
-      float within = part > 11 && part < 19 ? 0.45 : 0.0;  // of cars: seats and riders
+      float within = 0.0;
+#ifdef SHADED
+      if (part > 11 && part < 19) within = 0.45;  // of cars: seats and riders
+#endif
       light += own * vec3(1.0, 0.62, 0.30) * (1.5 * there.r / (1.0 + over * over) + within);
     }
     for (int i = 0; i < headlight_count; ++i) {

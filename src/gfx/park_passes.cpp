@@ -360,7 +360,7 @@ void ParkPasses::draw_lamps(const PassContext& pass) const {
   const view::View& view = pass.scene.view;
   std::vector<glm::vec4> headlights;
   for (const sim::Pose& car : pass.scene.carts)
-    if (car.leads) headlights.emplace_back(headlight_of(car), 0.7f);
+    if (car.leads && pass.scene.scenery != world::Scenery::plain) headlights.emplace_back(headlight_of(car), 0.7f);
   parts.write_glows(headlights, parts.headlight_buffer, parts.headlight_array);
   for (const SceneProgram name : {SceneProgram::lamp_streak, SceneProgram::lamp}) {
     if (name == SceneProgram::lamp_streak && pass.scene.ground->water() <= world::kNoWater) continue;

@@ -44,6 +44,7 @@ base::Result<ShaderProgram> make_scene_program(const Gl& gl, std::size_t index) 
       {"haloed_sky", "#define HALO\n", "", backdrop_vert(), sky_frag()},
       {"park_sky", "#define BEHIND\n#define HALO\n", "", backdrop_vert(), sky_frag()},
       {"lawn_solid", "#define SHADED\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"plain_park_solid", "#define PARK\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_solid", "#define PARK\n#define SHADED\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_outline", "#define PARK\n#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
       {"park_shadow", "#define PARK\n#define SHADOW\n", "", mesh_vert(), shadow_frag()},
@@ -251,7 +252,7 @@ void set_headlights(const PassContext& pass, const ShaderProgram& program) {
   constexpr std::size_t kMost = 4;
   std::vector<glm::vec4> lights;
   for (const sim::Pose& car : pass.scene.carts)
-    if (car.leads && pass.lit && lights.size() < 2 * kMost)
+    if (car.leads && pass.lit && !plain_backdrop(pass) && lights.size() < 2 * kMost)
       lights.insert(lights.end(), {{headlight_of(car), 0}, {glm::vec3(car.frame.forward), 0}});
   program.set("headlight_count", static_cast<int>(lights.size() / 2));
   if (!lights.empty()) program.set("headlights", lights);
@@ -405,9 +406,9 @@ void draw_solids(const PassContext& pass, const TrackCache& track, const CarInst
   paint.bind(kPaintUnit);
   const SceneProgram outline = pass.park ? SceneProgram::park_outline : SceneProgram::outline;
   if (pass.scenery.drawing) draw_all(pass, outline, GL_FRONT, track, instances, paint, shadows);
-  const SceneProgram solid = pass.park              ? SceneProgram::park_solid
-                             : plain_backdrop(pass) ? SceneProgram::solid
-                                                    : SceneProgram::lawn_solid;
+  constexpr SceneProgram kSolids[] = {SceneProgram::solid, SceneProgram::lawn_solid, SceneProgram::plain_park_solid,
+                                      SceneProgram::park_solid};
+  const SceneProgram solid = kSolids[2 * int{pass.park} + int{!plain_backdrop(pass)}];
   draw_all(pass, solid, GL_BACK, track, instances, paint, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }

@@ -33,6 +33,7 @@ enum class SceneProgram {
   haloed_sky,
   park_sky,
   lawn_solid,
+  plain_park_solid,
   park_solid,
   park_outline,
   park_shadow,
