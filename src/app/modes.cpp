@@ -29,7 +29,6 @@
 #include "script/grammar.h"
 #include "script/runner.h"
 #include "sim/shape/folds.h"
-#include "world/aid_settings.h"
 #include "world/appearance_settings.h"
 #include "world/panel_settings.h"
 
@@ -153,9 +152,6 @@ int run_report(const Options& options) {
 // Draws a first frame, so that the viewport is known, then opens the track.
 base::Status open_track(Program& program, const std::filesystem::path& path) {
   run_frame(program, {platform::Tick{0}}, 0);
-  const world::Land land = program.session.settings.aids->new_land;
-  if (path.empty() && land != world::Land::plain && program.surface->is_window() && program.options.script.empty())
-    return apply(program, edit::NewPark{land});  // the window's first picture
   if (path.empty()) return apply(program, edit::NewTrack{});
   const base::Status loaded = apply(program, edit::LoadTrack{path.string()});
   if (loaded && !program.surface->is_window()) print_notices(program.session);
