@@ -52,8 +52,7 @@ void main() {
   vec3 gentle = normalize(vec3(0.45 * normal.x, 1.0, 0.45 * normal.z));
   float towards = max(dot(gentle, normalize(air.sun.xyz + to_eye)), 0.0), glint = to_90(towards),
         flat_2 = towards * towards;
-  light += waves > 0.0 ? sunlight * 2.0 * glint * glint
-                       : sunlight * 2.2 * glint * flat_2 * flat_2 * flat_2 * flat_2;
+  light += waves > 0.0 ? sunlight * 2.0 * glint * glint : sunlight * 2.2 * glint * flat_2 * flat_2 * flat_2 * flat_2;
   float foam = 0.40 * waves * (1.0 - smoothstep(0.0, 0.20, depth + 0.22 * swell.x));
   light = mix(light, 0.8 * over, foam);
   float alpha = max(mix(0.30, 0.94, 1.0 - exp(-1.1 * max(depth, 0.0))), max(fresnel, foam));
