@@ -96,6 +96,14 @@ function(coaster_room name)
   else()
     coaster_precompile(coaster_${name} "" sim/shape/derived_track.h sim/ride/ride.h)
   endif()
+  if(EMSCRIPTEN)  # what is built once for a change of the track, or asked for by people
+    list(FILTER sources INCLUDE REGEX
+         "/sim/(ground/(brush|fixtures|lamps|land_mesh|land_paint|meadow|plant_models|tunnel_mesh)|\
+solids/(coaster_form|mesh|station_mesh|supports|train_mesh)|\
+study/(colour_values|evaluator_benchmark|force_limits|jolt|ratings|riders|track_errata))\\.cpp$")
+    set_source_files_properties(${sources} PROPERTIES
+      COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   if(COASTER_UNITY STREQUAL "all")
     coaster_unity(coaster_${name} 40)
     # A local may have the name of a constant in another file.

@@ -66,9 +66,6 @@ constexpr Tube kKiddieTubes[] = {rail(1), rail(-1)};
 constexpr auto kKiddieTie = box({-kRail, -0.26}, {kRail, -0.05});
 constexpr PlateForm kKiddieTies[] = {{kKiddieTie, 0.09, Material::tie}};
 
-constexpr ClearanceTube kAboveEnvelope{1.6, 0.45}, kAboveRiders{1.1, 1.05}, kAboveTrain{1.5, 0.45},
-    kAboveTrack{0.78, -0.3};
-
 constexpr CoasterForm kSteel{.tubes = kSteelTubes,
                              .beams = {},
                              .arms = kSteelArms,

@@ -51,7 +51,6 @@ class StationBuilder {
  public:
   StationBuilder(const Ground& ground, const CoasterForm& form, std::vector<Ring> rings, Mesh& mesh)
       : ground_(ground),
-        form_(form),
         rings_(std::move(rings)),
         mesh_(mesh),
         floor_(form.platform),
@@ -215,7 +214,6 @@ class StationBuilder {
   }
 
   const Ground& ground_;
-  const CoasterForm& form_;
   std::vector<Ring> rings_;
   Mesh& mesh_;
   double floor_, eaves_, length_ = 0;
