@@ -27,8 +27,8 @@ class PlantCache {
     int draw_calls = 0;
     std::int64_t triangles = 0;
   };
-  // Draws grass and flowers within kGrassReach of the eye, with the program in use: as many as there is room for, the
-  // fewer the farther away, on green ground.
+  // Draws grass and flowers within sim::kMeadowReach of the eye, with the program in use: chosen and written anew by
+  // each call, the fewer the farther away, on green ground.
   Drawn draw_grass(const sim::LandMesh& land, const sim::Ground& ground, const glm::mat4& view_projection,
                    glm::vec3 eye, bool unseen);
   // Draws the plants of a patch with the program in use (locations 0 position, 1 normal, 2 paint, 4 foot and size, 5
