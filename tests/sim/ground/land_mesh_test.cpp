@@ -90,7 +90,8 @@ TEST(LandMesh, leaves_out_what_is_open_and_nothing_else) {
   site.document.park.tiles.put(block);
   for (std::size_t knot = 0; knot < 12; ++knot) site.move(knot, {0, -6, 0});
   int open = 0;
-  for (const LandPatch& patch : site.mesh().patches()) {
+  const LandMesh mesh = site.mesh();
+  for (const LandPatch& patch : mesh.patches()) {
     const int cells = world::kGroundTileCells * world::kGroundTileCells;
     EXPECT_EQ(patch.open, patch.indices.size() < std::size_t{6} * cells);
     open += cells - static_cast<int>(patch.indices.size() / 6);
