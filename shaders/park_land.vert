@@ -1,9 +1,11 @@
 // The land, with its light by vertex: only grain, the shadows of track and trains, and the tone curve are left to
 // pixels.
-layout(location = 0) in vec3 position;
+layout(location = 0) in vec3 from_corner;  // m
 layout(location = 1) in vec4 normal;
-layout(location = 2) in vec4 paint;  // square roots of linear light; a: ambient light
-layout(location = 3) in vec2 baked;  // of the sun, and half of lamps
+layout(location = 2) in vec4 paint;   // square roots of linear light; a: ambient light
+layout(location = 3) in vec2 baked;   // of the sun, and half of lamps
+layout(location = 4) in float lift;   // m
+layout(location = 5) in vec2 corner;  // m, of the patch
 uniform mat4 view_projection;
 uniform vec3 eye;
 uniform float water;  // m
@@ -18,6 +20,7 @@ out float height;  // m over the water
 out vec3 track_at, train_at;  // in the shadow maps; z: height
 
 void main() {
+  vec3 position = from_corner + vec3(corner.x, lift, corner.y);
   gl_Position = view_projection * vec4(position, 1.0);
   vec3 own = paint.rgb * paint.rgb;
   float depth = max(water - position.y, 0.0);

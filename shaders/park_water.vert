@@ -1,6 +1,8 @@
 // The water over the land's own triangles: level, and as deep as the land lies below it.
-layout(location = 0) in vec3 position;
-layout(location = 3) in vec2 baked;  // of the sun, and half of lamps
+layout(location = 0) in vec3 from_corner;  // m
+layout(location = 3) in vec2 baked;        // of the sun, and half of lamps
+layout(location = 4) in float lift;        // m
+layout(location = 5) in vec2 corner;       // m, of the patch
 uniform mat4 view_projection;
 uniform vec3 eye;
 uniform float water;  // m
@@ -12,6 +14,7 @@ out vec2 baked_light;         // sun, lamps
 out vec2 track_at, train_at;  // in the shadow maps
 
 void main() {
+  vec3 position = from_corner + vec3(corner.x, lift, corner.y);
   world = vec3(position.x, water, position.z);
   depth = water - position.y;
   gl_Position = view_projection * vec4(world, 1.0);

@@ -12,6 +12,7 @@ namespace coaster::gfx {
 namespace {
 
 constexpr float kFine = 120, kMiddling = 260;  // m up to which steps are 1 and 2
+constexpr GLuint kLift = 4, kCorner = 5;       // attributes of shaders/park_land.vert
 constexpr int kSnap = 4;                       // cells between vertices of a snapped border
 
 constexpr std::array<float, 9> kRings{1, 1.06f, 1.25f, 1.6f, 2.2f, 3.2f, 5, 9, kFarthestLand};
@@ -38,19 +39,22 @@ sim::LandVertex vertex_at(const sim::Ground& ground, glm::vec2 at, float height)
   const glm::vec3 normal(glm::normalize(slope));
   const float wood = sim::far_woods(park, x, z);
   const glm::vec3 paint = sim::land_paint(park, {x, z, height, normal.y, wood, 0});
-  sim::LandVertex vertex;
-  vertex.position = {at.x, height, at.y};
-  for (int i = 0; i < 3; ++i) {
-    vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
-    vertex.paint[static_cast<std::size_t>(i)] =
-        static_cast<std::uint8_t>(std::lround(255 * std::sqrt(glm::clamp(paint[i], 0.0f, 1.0f))));
-  }
-  vertex.paint[3] = static_cast<std::uint8_t>(std::lround(255 * 0.94f * (1 - 0.35f * wood)));
-  return vertex;
+  return {{at.x, height, at.y}, sim::land_finish(normal, paint, 0.94f * (1 - 0.35f * wood))};
 }
 
 constexpr std::size_t kPatchVertices = std::size_t{sim::LandPatch::kSide} * sim::LandPatch::kSide;
-constexpr std::size_t kPatchIndices = std::size_t{6} * world::kGroundTileCells * world::kGroundTileCells;
+constexpr std::uint32_t kPatchIndices = 6 * world::kGroundTileCells * world::kGroundTileCells;
+constexpr std::uint32_t kKeptSlots = 96;  // own triangles of so many patches are kept out of sight
+
+// A patch with open cells has only its own triangles, and its neighbours are as fine.
+bool has_own_triangles(const sim::LandMesh& mesh, const VisiblePatch& patch) {
+  return (patch.step == 1 && patch.snapped == 0) || !mesh.patches()[patch.index].open.empty();
+}
+
+void finish_attributes(const Gl& gl, std::size_t stride, std::size_t offset) {
+  byte_attribute(gl, 1, 4, GL_BYTE, stride, offset + offsetof(sim::LandFinish, normal));
+  byte_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, stride, offset + offsetof(sim::LandFinish, paint));
+}
 
 }  // namespace
 
@@ -73,15 +77,19 @@ float distance_to(const Box& box, glm::vec3 from) {
   return glm::length(glm::max(glm::max(box.low - from, from - box.high), glm::vec3(0)));
 }
 
+Box box_of(const sim::LandPatch& patch, float above) {
+  constexpr auto kSide = static_cast<float>(world::kGroundTileCells * world::kGroundCell);  // m
+  return {{patch.corner.x, patch.low, patch.corner.y},
+          {patch.corner.x + kSide, patch.high + above, patch.corner.y + kSide}};
+}
+
 std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patches, const glm::mat4& view_projection,
                                           glm::vec3 eye, float near) {
   const int across = static_cast<int>(std::lround(std::sqrt(static_cast<double>(patches.size()))));
   std::vector<Box> boxes(patches.size());
   std::vector<std::uint8_t> steps(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const sim::LandPatch& patch = patches[i];
-    boxes[i] = {patch.vertices.front().position, patch.vertices.back().position};
-    boxes[i].low.y = patch.low, boxes[i].high.y = patch.high + kPlantHeight;
+    boxes[i] = box_of(patches[i], kPlantHeight);
     const float metres = distance_to(boxes[i], eye);
     steps[i] = metres < near * kFine ? 1 : metres < near * kMiddling ? 2 : 4;
   }
@@ -96,7 +104,7 @@ std::vector<VisiblePatch> visible_patches(std::span<const sim::LandPatch> patche
     }
   };
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    if (!patches[i].open) continue;
+    if (patches[i].open.empty()) continue;
     steps[i] = 1;
     around(i, [](int, std::uint8_t* step) {
       if (step) *step = 1;
@@ -194,12 +202,15 @@ void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, 
   gl.VertexAttribDivisor(location, divisor);
 }
 
-void land_attributes(const Gl& gl, GLuint buffer, std::size_t first) {
+void land_attributes(const Gl& gl, GLuint buffer) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  const std::size_t offset = first * sizeof(sim::LandVertex);
-  float_attribute(gl, 0, 3, sizeof(sim::LandVertex), offset);
-  byte_attribute(gl, 1, 4, GL_BYTE, sizeof(sim::LandVertex), offset + offsetof(sim::LandVertex, normal));
-  byte_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, sizeof(sim::LandVertex), offset + offsetof(sim::LandVertex, paint));
+  float_attribute(gl, 0, 3, sizeof(sim::LandVertex), offsetof(sim::LandVertex, position));
+  finish_attributes(gl, sizeof(sim::LandVertex), offsetof(sim::LandVertex, finish));
+}
+
+void no_corner(const Gl& gl) {
+  gl.VertexAttrib4f(kLift, 0, 0, 0, 1);
+  gl.VertexAttrib4f(kCorner, 0, 0, 0, 1);
 }
 
 void light_attribute(const Gl& gl, GLuint buffer, std::size_t first) {
@@ -218,6 +229,11 @@ void LandCache::make_shared() {
   add(2, kAllSides);
   add(4, kAllSides);
   shared_.fill(all);
+  std::vector<glm::vec3> grid;
+  for (int z = 0; z < sim::LandPatch::kSide; ++z)
+    for (int x = 0; x < sim::LandPatch::kSide; ++x)
+      grid.push_back(static_cast<float>(world::kGroundCell) * glm::vec3(x, 0, z));
+  grid_.fill(grid);
 }
 
 // Gives each patch an array of its own, after the buffers have moved.
@@ -226,8 +242,14 @@ void LandCache::link() {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     if (held_[i].array.id() == 0) held_[i].array = make_vertex_array(gl);
     gl.BindVertexArray(held_[i].array.id());
-    land_attributes(gl, vertices_.id(), i * kPatchVertices);
-    light_attribute(gl, light_.id(), i * kPatchVertices);
+    const std::size_t first = i * kPatchVertices;
+    gl.BindBuffer(GL_ARRAY_BUFFER, grid_.id());
+    float_attribute(gl, 0, 3, sizeof(glm::vec3), 0);
+    gl.BindBuffer(GL_ARRAY_BUFFER, heights_.id());
+    float_attribute(gl, kLift, 1, sizeof(float), first * sizeof(float));
+    gl.BindBuffer(GL_ARRAY_BUFFER, finish_.id());
+    finish_attributes(gl, sizeof(sim::LandFinish), first * sizeof(sim::LandFinish));
+    light_attribute(gl, light_.id(), first);
   }
   gl.BindVertexArray(0);
 }
@@ -240,9 +262,10 @@ LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const sim::Lan
     reset_ = mesh.reset_build();
     held_.clear();
     held_.resize(patches.size());
-    vertices_.reserve(patches.size() * kPatchVertices);
+    slots_ = {};
+    heights_.reserve(patches.size() * kPatchVertices);
+    finish_.reserve(patches.size() * kPatchVertices);
     light_.reserve(patches.size() * kPatchVertices);
-    own_.reserve(patches.size() * kPatchIndices);
     link();
   }
   for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -255,15 +278,34 @@ LandCache::UploadStats LandCache::sync(const sim::Ground& ground, const sim::Lan
     }
     if (held.build == patch.build) continue;
     held.build = patch.build;
-    held.indices = GLsizei(patch.indices.size());
-    vertices_.write(i * kPatchVertices, patch.vertices);
-    own_.write(i * kPatchIndices, patch.indices);
+    heights_.write(i * kPatchVertices, ground.patches()[i].heights);
+    finish_.write(i * kPatchVertices, patch.finish);
     ++stats.patches;
-    stats.bytes += static_cast<std::int64_t>(patch.vertices.size() * sizeof(sim::LandVertex) +
-                                             patch.indices.size() * sizeof(std::uint16_t));
+    stats.bytes += static_cast<std::int64_t>(kPatchVertices * (sizeof(float) + sizeof(sim::LandFinish)));
   }
   sync_far(ground, mesh, stats);
   return stats;
+}
+
+std::int64_t LandCache::prepare(const sim::LandMesh& mesh, std::span<const VisiblePatch> visible) {
+  std::vector<std::uint8_t> wanted(held_.size());
+  for (const VisiblePatch& patch : visible) wanted[patch.index] = has_own_triangles(mesh, patch);
+  if (slots_.used() > kKeptSlots * kPatchIndices)
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      if (Held& held = held_[i]; held.slot.size > 0 && !wanted[i]) slots_.give_back(held.slot), held.slot = {};
+  std::int64_t bytes = 0;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    Held& held = held_[i];
+    if (!wanted[i] || (held.slot.size > 0 && held.own_build == held.build)) continue;
+    held.own_build = held.build;
+    if (held.slot.size == 0) held.slot = slots_.take(kPatchIndices);
+    own_.reserve(slots_.used());
+    const std::vector<std::uint16_t> triangles = mesh.triangles(i);
+    held.indices = static_cast<std::uint32_t>(triangles.size());
+    own_.write(held.slot.first, triangles);
+    bytes += static_cast<std::int64_t>(triangles.size() * sizeof(std::uint16_t));
+  }
+  return bytes;
 }
 
 void LandCache::sync_far(const sim::Ground& ground, const sim::LandMesh& mesh, UploadStats& stats) {
@@ -283,18 +325,18 @@ void LandCache::sync_far(const sim::Ground& ground, const sim::LandMesh& mesh, U
                                            far_land_.indices.size() * sizeof(std::uint16_t));
   if (far_array_.id() == 0) far_array_ = make_vertex_array(*gl_);
   gl_->BindVertexArray(far_array_.id());
-  land_attributes(*gl_, far_.id(), 0);
+  land_attributes(*gl_, far_.id());
   gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, far_indices_.id());
   gl_->BindVertexArray(0);
 }
 
 std::int64_t LandCache::draw(const sim::LandMesh& mesh, const VisiblePatch& patch, bool unseen) const {
   const Held& held = held_[patch.index];
-  // A patch with open cells has only its own triangles, and its neighbours are as fine.
-  const bool own = (patch.step == 1 && patch.snapped == 0) || mesh.patches()[patch.index].open;
-  Range range{static_cast<std::uint32_t>(patch.index * kPatchIndices), static_cast<std::uint32_t>(held.indices)};
-  if (!own) range = lists_.at({patch.step, patch.snapped});
+  const bool own = has_own_triangles(mesh, patch);
+  const Range range = own ? Range{held.slot.first, held.indices} : lists_.at({patch.step, patch.snapped});
   if (!unseen) {
+    const glm::vec2 corner = mesh.patches()[patch.index].corner;
+    gl_->VertexAttrib4f(kCorner, corner.x, corner.y, 0, 1);
     gl_->BindVertexArray(held.array.id());
     gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, own ? own_.id() : shared_.id());
     gl_->DrawElements(GL_TRIANGLES, GLsizei(range.size), GL_UNSIGNED_SHORT,
@@ -312,6 +354,7 @@ std::int64_t LandCache::draw_far(const glm::mat4& view_projection, bool unseen) 
   if (!unseen) {
     gl_->BindVertexArray(far_array_.id());
     gl_->VertexAttrib4f(3, 1, 0, 0, 0);  // full sunlight, no lamps
+    no_corner(*gl_);
   }
   for (std::size_t side = 0; side < 4; ++side) {
     Box box = whole;

@@ -24,6 +24,9 @@ bool may_show(const glm::mat4& view_projection, const Box& box);
 // Returns the distance from a point to a box; 0 inside.
 float distance_to(const Box& box, glm::vec3 from);
 
+// Returns the box around a patch and what stands on it, up to `above` m.
+Box box_of(const sim::LandPatch& patch, float above);
+
 struct VisiblePatch {
   std::size_t index = 0;
   float metres = 0;  // from the eye to its box
@@ -57,23 +60,28 @@ inline constexpr float kFarthestLand = 18;  // half sides of the square, level, 
 // Sets an attribute of bytes from the bound buffer: parts of 255, or of 127 if they are signed.
 void byte_attribute(const Gl& gl, GLuint location, int components, GLenum type, std::size_t stride, std::size_t offset,
                     GLuint divisor = 0);
-// Set attributes 0 to 2, and 3, of the bound vertex array from a buffer, from a vertex on.
-void land_attributes(const Gl& gl, GLuint buffer, std::size_t first);
+// Set attributes 0 to 2 of the bound vertex array from a buffer of land vertices; 3 from a buffer of light, from a
+// vertex on.
+void land_attributes(const Gl& gl, GLuint buffer);
 void light_attribute(const Gl& gl, GLuint buffer, std::size_t first);
+// Tells the land's programs that attribute 0 is a place in the world: they add a patch's corner and heights to it.
+void no_corner(const Gl& gl);
 
 class LandCache {
  public:
   explicit LandCache(const Gl& gl)
-      : gl_(&gl), vertices_(gl), light_(gl), own_(gl), shared_(gl), far_(gl), far_indices_(gl) {}
+      : gl_(&gl), grid_(gl), heights_(gl), finish_(gl), light_(gl), own_(gl), shared_(gl), far_(gl), far_indices_(gl) {}
 
   struct UploadStats {
     int patches = 0;         // whose vertices or triangles were written
     std::int64_t bytes = 0;  // of all that was written
   };
   UploadStats sync(const sim::Ground& ground, const sim::LandMesh& mesh);
+  // Writes the triangles of those patches that are drawn with their own. Returns the bytes.
+  std::int64_t prepare(const sim::LandMesh& mesh, std::span<const VisiblePatch> visible);
 
-  // Draws one patch with the program in use (locations 0 position, 1 normal, 2 paint, 3 light) and returns the number
-  // of triangles; `unseen`: only counts.
+  // Draws one prepared patch with the program in use (locations 0 and 4 position, 1 normal, 2 paint, 3 light, 5 the
+  // patch's corner) and returns the number of triangles; `unseen`: only counts.
   std::int64_t draw(const sim::LandMesh& mesh, const VisiblePatch& patch, bool unseen) const;
   // Draws the far land that may be in the picture, and returns the number of triangles.
   std::int64_t draw_far(const glm::mat4& view_projection, bool unseen) const;
@@ -81,18 +89,22 @@ class LandCache {
 
  private:
   struct Held {
-    std::uint64_t build = 0, light_build = 0;
+    std::uint64_t build = 0, light_build = 0, own_build = 0;
     GlObject array;
-    GLsizei indices = 0;
+    Range slot;  // in `own_`
+    std::uint32_t indices = 0;
   };
   void link();
   void sync_far(const sim::Ground& ground, const sim::LandMesh& mesh, UploadStats& stats);
   void make_shared();
 
   const Gl* gl_;
-  GrowingBuffer<sim::LandVertex> vertices_;
+  GrowingBuffer<glm::vec3> grid_;  // places of a patch's vertices from its corner, on the level
+  GrowingBuffer<float> heights_;
+  GrowingBuffer<sim::LandFinish> finish_;
   GrowingBuffer<sim::LandLight> light_;
-  GrowingBuffer<std::uint16_t> own_, shared_;   // indices by patch; those of steps and snapped sides
+  GrowingBuffer<std::uint16_t> own_, shared_;   // indices of single patches; those of steps and snapped sides
+  RangeAllocator slots_;                        // in `own_`
   std::map<std::pair<int, int>, Range> lists_;  // in `shared_`, by step and snapped sides
   std::vector<Held> held_;
   std::uint64_t reset_ = 0;

@@ -71,12 +71,6 @@ void bind_texture(const Gl& gl, int unit, GLuint texture) {
 
 constexpr float kHeightLayer = 16;  // m: maps are kept while a track grows by less
 
-Box box_of(const sim::LandPatch& patch) {
-  Box box{patch.vertices.front().position, patch.vertices.back().position};
-  box.low.y = patch.low, box.high.y = patch.high;
-  return box;
-}
-
 // Factor of the distances up to which rich scenery is drawn finely.
 float nearness(const PassContext& pass) { return pass.scene.scenery == world::Scenery::rich ? 1.7f : 1; }
 
@@ -132,7 +126,7 @@ std::int64_t ParkPasses::Parts::write_fixtures(sim::FixtureMesh made) {
   fixture_indices.fill(fixtures.indices);
   if (fixture_array.id() == 0) fixture_array = make_vertex_array(gl);
   gl.BindVertexArray(fixture_array.id());
-  land_attributes(gl, fixture_vertices.id(), 0);
+  land_attributes(gl, fixture_vertices.id());
   light_attribute(gl, fixture_light.id(), 0);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, fixture_indices.id());
   gl.BindVertexArray(0);
@@ -196,11 +190,7 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
   parts.planted = scene.plants != nullptr;
   if (moved || relit) {
     sim::FixtureMesh made = sim::fixture_mesh(ground, parts.lamps, parts.lights);
-    const auto same = [](const sim::LandVertex& a, const sim::LandVertex& b) {
-      return a.position == b.position && a.normal == b.normal && a.paint == b.paint;
-    };
-    if (parts.fixture_array.id() == 0 || made.light != parts.fixtures.light ||
-        !std::ranges::equal(made.vertices, parts.fixtures.vertices, same))
+    if (parts.fixture_array.id() == 0 || made.light != parts.fixtures.light || made.vertices != parts.fixtures.vertices)
       stats.park_upload_bytes += parts.write_fixtures(std::move(made));
     upload_lamps(scene, style);
   }
@@ -209,7 +199,9 @@ void ParkPasses::upload(const Scene& scene, const SceneStyle& style, DrawStats& 
 glm::vec2 ParkPasses::cast_heights() const { return parts_->heights; }
 
 void ParkPasses::look(const PassContext& pass) {
-  parts_->visible = visible_patches(parts_->mesh.patches(), pass.view_projection, pass.scene.view.eye, nearness(pass));
+  Parts& parts = *parts_;
+  parts.visible = visible_patches(parts.mesh.patches(), pass.view_projection, pass.scene.view.eye, nearness(pass));
+  pass.stats.park_upload_bytes += parts.land.prepare(parts.mesh, parts.visible);
 }
 
 SunShadows::ParkCasters ParkPasses::casters(const PassContext& pass) const {
@@ -261,7 +253,7 @@ void ParkPasses::draw_patches(const PassContext& pass, const SunShadows& shadows
   for (const VisiblePatch& patch : parts.visible) {
     const sim::LandPatch& land = parts.mesh.patches()[patch.index];
     if (water && land.low >= level) continue;
-    Box box = box_of(land);
+    Box box = box_of(land, 0);
     if (water) box.low.y = box.high.y = level;
     take_shadows(shaded && shadows.track().reaches(box), shaded && shadows.trains().reaches(box));
     pass.count(parts.land.draw(parts.mesh, patch, unseen));
@@ -281,6 +273,7 @@ void ParkPasses::draw_fixtures(const PassContext& pass, const ShaderProgram& pro
   if (!pass.scene.unseen) {
     parts.gl.Disable(GL_CULL_FACE);  // tubes show through the open land behind a portal
     parts.gl.BindVertexArray(parts.fixture_array.id());
+    no_corner(parts.gl);
     parts.gl.DrawElements(GL_TRIANGLES, GLsizei(parts.fixtures.indices.size()), GL_UNSIGNED_INT, nullptr);
     parts.gl.Enable(GL_CULL_FACE);
   }
@@ -302,8 +295,7 @@ void ParkPasses::draw_plants(const PassContext& pass, const SunShadows& shadows)
   int taps = -1, step = 0;
   for (const VisiblePatch& patch : parts.visible) {
     if (patch.metres > sim::kPlantReach.back()) break;
-    Box box = box_of(parts.mesh.patches()[patch.index]);
-    box.high.y += kPlantHeight;
+    const Box box = box_of(parts.mesh.patches()[patch.index], kPlantHeight);
     const bool shaded = pass.scene.shadows && patch.metres < kTapped && shadows.track().reaches(box);
     if (taps != int(shaded)) program.set("taps", taps = int(shaded));
     // Coarse land lies lower on ridges than trees stand.

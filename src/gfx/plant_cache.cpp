@@ -12,16 +12,14 @@ constexpr float kMostSunk = 8;     // m, as in shaders/park_plant.vert
 constexpr float kCrownMiddle = 5;  // m over the foot
 
 // Returns the height of a patch's land as it is drawn in cells of 8 m.
-float coarse_height(const sim::LandPatch& patch, glm::vec3 at) {
+float coarse_height(const sim::LandMesh& land, std::size_t patch, glm::vec3 at) {
   constexpr int kStep = 4;
   constexpr auto kCell = static_cast<float>(kStep * world::kGroundCell);
-  const glm::vec2 from =
-      (glm::vec2(at.x, at.z) - glm::vec2(patch.vertices[0].position.x, patch.vertices[0].position.z)) / kCell;
+  const glm::vec2 from = (glm::vec2(at.x, at.z) - land.patches()[patch].corner) / kCell;
   constexpr int kLast = world::kGroundTileCells / kStep - 1;
   const int x = std::clamp(static_cast<int>(from.x), 0, kLast), z = std::clamp(static_cast<int>(from.y), 0, kLast);
   const auto height = [&](int dx, int dz) {
-    return patch.vertices[static_cast<std::size_t>((z + dz) * kStep * sim::LandPatch::kSide + (x + dx) * kStep)]
-        .position.y;
+    return land.place(patch, static_cast<std::size_t>((z + dz) * kStep * sim::LandPatch::kSide + (x + dx) * kStep)).y;
   };
   const glm::vec2 t = from - glm::vec2(x, z);
   return std::min(glm::mix(glm::mix(height(0, 0), height(1, 0), t.x), glm::mix(height(0, 1), height(1, 1), t.x), t.y),
@@ -52,7 +50,7 @@ std::int64_t PlantCache::sync(const sim::Plants& plants, const sim::LandMesh& la
     indices_.fill(indices);
     array_ = make_vertex_array(*gl_);
     gl_->BindVertexArray(array_.id());
-    land_attributes(*gl_, vertices_.id(), 0);
+    land_attributes(*gl_, vertices_.id());
     gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl_->BindVertexArray(0);
   }
@@ -72,9 +70,7 @@ std::int64_t PlantCache::sync(const sim::Plants& plants, const sim::LandMesh& la
 
 void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, const sim::LandMesh& land) {
   Held& held = held_[patch];
-  const sim::LandPatch& ground = land.patches()[patch];
-  held.box = {ground.vertices.front().position, ground.vertices.back().position};
-  held.box.low.y = ground.low, held.box.high.y = ground.high + kPlantHeight;
+  held.box = box_of(land.patches()[patch], kPlantHeight);
   const auto group_of = [&](const sim::Plant& plant) {
     const glm::vec3 from = static_cast<float>(kGroups) / kTile * (plant.foot - held.box.low);
     return static_cast<std::size_t>(std::clamp(static_cast<int>(from.z), 0, kGroups - 1) * kGroups +
@@ -101,7 +97,7 @@ void PlantCache::write(std::size_t patch, std::span<const sim::Plant> plants, co
         made.turn = {static_cast<std::int8_t>(std::lround(127 * plant.turn.x)),
                      static_cast<std::int8_t>(std::lround(127 * plant.turn.y)), 0, 0};
         made.look = {sim::byte_of(plant.tint), sim::byte_of(sun), there.lamp,
-                     sim::byte_of((plant.foot.y - coarse_height(ground, plant.foot)) / kMostSunk)};
+                     sim::byte_of((plant.foot.y - coarse_height(land, patch, plant.foot)) / kMostSunk)};
       }
     }
     held.begins[kind][kAllGroups] = static_cast<std::uint16_t>(next);

@@ -25,8 +25,8 @@ TEST(FarLand, continues_the_border_out_to_the_horizon) {
   // All that lies at the square's edge is a vertex of a patch.
   const float half = 384;
   std::set<std::array<float, 3>> border;
-  for (const sim::LandPatch& patch : mesh.patches())
-    for (const sim::LandVertex& vertex : patch.vertices)
+  for (std::size_t patch = 0; patch < mesh.patches().size(); ++patch)
+    for (const sim::LandVertex& vertex : mesh.vertices(patch))
       if (std::max(std::abs(vertex.position.x), std::abs(vertex.position.z)) == half)
         border.insert({vertex.position.x, vertex.position.y, vertex.position.z});
   std::size_t shared = 0;

@@ -98,7 +98,7 @@ TEST_F(Park, shows_land_where_a_ray_meets_it) {
 TEST_F(Park, uploads_nothing_in_a_still_frame_and_near_patches_after_a_move) {
   const DrawStats first = show(*renderer_);
   EXPECT_EQ(first.park_uploads, 144);
-  EXPECT_GT(first.park_upload_bytes, 144 * 33 * 33 * 20);
+  EXPECT_GT(first.park_upload_bytes, 144 * 33 * 33 * 14);
   EXPECT_LT(first.park_upload_bytes, 8'000'000);
   const DrawStats still = show(*renderer_);
   EXPECT_EQ(still.park_uploads, 0);

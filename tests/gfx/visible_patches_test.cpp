@@ -87,12 +87,9 @@ TEST(VisiblePatches, meet_their_neighbours_and_come_from_near_to_far) {
   constexpr int kAcross = 8;
   std::vector<sim::LandPatch> patches(kAcross * kAcross);
   for (int i = 0; i < kAcross * kAcross; ++i) {
-    const glm::vec3 corner(64 * (i % kAcross - 4), 0, 64 * (i / kAcross - 4));
-    patches[static_cast<std::size_t>(i)].vertices.resize(2);
-    patches[static_cast<std::size_t>(i)].vertices[0].position = corner;
-    patches[static_cast<std::size_t>(i)].vertices[1].position = corner + glm::vec3(64, 0, 64);
+    patches[static_cast<std::size_t>(i)].corner = {64 * (i % kAcross - 4), 64 * (i / kAcross - 4)};
   }
-  patches[3 * kAcross + 6].open = true;
+  patches[3 * kAcross + 6].open = {40};
   const glm::vec3 eye(-150, 5, -100);
   const glm::mat4 clip = glm::orthoRH_NO(-600.0f, 600.0f, -600.0f, 600.0f, -900.0f, 900.0f);
   const std::vector<VisiblePatch> visible = visible_patches(patches, clip, eye, 1);

@@ -17,10 +17,11 @@ constexpr std::size_t kMostCoarsePlants = 20'000;  // more of them are printed s
 void add(const std::vector<sim::LandVertex>& vertices, const auto& indices, SolidPart& part) {
   const auto first = static_cast<std::uint32_t>(part.positions.size());
   for (const sim::LandVertex& vertex : vertices) {
-    const glm::vec3 root = glm::vec3(vertex.paint[0], vertex.paint[1], vertex.paint[2]) / 255.0f;
+    const auto& [normal, paint] = vertex.finish;
+    const glm::vec3 root = glm::vec3(paint[0], paint[1], paint[2]) / 255.0f;
     part.positions.push_back(vertex.position);
-    part.normals.push_back(glm::normalize(glm::vec3(vertex.normal[0], vertex.normal[1], vertex.normal[2])));
-    part.colours.push_back(0.5f * (1 + static_cast<float>(vertex.paint[3]) / 255) * root * root);
+    part.normals.push_back(glm::normalize(glm::vec3(normal[0], normal[1], normal[2])));
+    part.colours.push_back(0.5f * (1 + static_cast<float>(paint[3]) / 255) * root * root);
   }
   for (const auto i : indices) part.indices.push_back(first + i);
 }
@@ -61,7 +62,7 @@ void add_stations(const sim::Mesh& mesh, const world::Paint& paint, SolidPart& p
 // Snow lies on what faces up to the sky.
 void add_snow(const sim::PlantModel& model, SolidPart& part) {
   for (std::size_t i = 0; i < part.colours.size(); ++i) {
-    const double open = static_cast<double>(model.vertices[i].paint[3]) / 255;
+    const double open = static_cast<double>(model.vertices[i].finish.paint[3]) / 255;
     const double much =
         0.85 * sim::smooth_step(0.05, 0.6, double{part.normals[i].y}) * sim::smooth_step(0.3, 0.9, open);
     part.colours[i] = glm::mix(part.colours[i], glm::vec3(0.74f, 0.78f, 0.84f), static_cast<float>(much));
@@ -94,7 +95,7 @@ ParkSolid park_solid(const world::Document& document, const sim::DerivedTrack& d
   auto& [land, water, fixtures, stations] = park.parts;
   std::size_t count = 0;
   for (std::size_t i = 0; i < ground.patches().size(); ++i) {
-    add(mesh.patches()[i].vertices, mesh.patches()[i].indices, land);
+    add(mesh.vertices(i), mesh.triangles(i), land);
     add_water(ground.patches()[i], ground.water(), water);
     for (const sim::Plant& plant : plants.of(i))
       park.plants[static_cast<std::size_t>(plant.kind)].plants.push_back(plant);

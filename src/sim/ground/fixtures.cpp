@@ -10,14 +10,7 @@ namespace coaster::sim {
 namespace {
 
 LandVertex vertex_of(const EarthVertex& from) {
-  LandVertex vertex;
-  vertex.position = from.position;
-  for (int i = 0; i < 3; ++i) {
-    vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * from.normal[i]));
-    vertex.paint[static_cast<std::size_t>(i)] = byte_of(std::sqrt(std::max(from.paint[i], 0.0f)));
-  }
-  vertex.paint[3] = byte_of(from.ambient);
-  return vertex;
+  return {from.position, land_finish(from.normal, from.paint, from.ambient)};
 }
 
 // Adds an upright box without a bottom.

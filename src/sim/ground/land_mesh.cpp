@@ -83,6 +83,16 @@ float sunlight(const LandField& field, glm::vec3 from, glm::vec3 sun, float high
 
 }  // namespace
 
+LandFinish land_finish(glm::vec3 normal, glm::vec3 paint, float ambient) {
+  LandFinish finish;
+  for (int i = 0; i < 3; ++i) {
+    finish.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
+    finish.paint[static_cast<std::size_t>(i)] = byte_of(std::sqrt(std::max(paint[i], 0.0f)));
+  }
+  finish.paint[3] = byte_of(ambient);
+  return finish;
+}
+
 void VertexRect::add(int x, int z) {
   x0 = std::min(x0, x), z0 = std::min(z0, z), x1 = std::max(x1, x), z1 = std::max(z1, z);
 }
@@ -121,9 +131,45 @@ LandLight LandMesh::light_at(double x, double z) const {
   return patch->light[vertex];
 }
 
-const LandVertex& LandMesh::vertex_at(double x, double z) const {
+const LandFinish& LandMesh::finish_at(double x, double z) const {
   const auto [patch, vertex] = nearest(x, z);
-  return patch->vertices[vertex];
+  return patch->finish[vertex];
+}
+
+glm::vec3 LandMesh::place(std::size_t patch, std::size_t vertex) const {
+  const VertexRect rect = rect_of(patch);
+  const int x = rect.x0 + static_cast<int>(vertex) % LandPatch::kSide,
+            z = rect.z0 + static_cast<int>(vertex) / LandPatch::kSide;
+  const float half = 0.5f * static_cast<float>(field_.across);
+  return {kCellSide * (static_cast<float>(x) - half), field_.height(x, z), kCellSide * (static_cast<float>(z) - half)};
+}
+
+std::vector<LandVertex> LandMesh::vertices(std::size_t patch) const {
+  std::vector<LandVertex> made;
+  for (const LandFinish& finish : patches_[patch].finish) made.push_back({place(patch, made.size()), finish});
+  return made;
+}
+
+std::vector<std::uint16_t> LandMesh::triangles(std::size_t patch) const {
+  const VertexRect rect = rect_of(patch);
+  std::vector<std::uint16_t> indices;
+  auto open = patches_[patch].open.begin();
+  for (int z = 0; z < kPatchCells; ++z) {
+    for (int x = 0; x < kPatchCells; ++x) {
+      if (open != patches_[patch].open.end() && *open == z * kPatchCells + x) {
+        ++open;
+        continue;
+      }
+      const auto a = static_cast<std::uint16_t>(z * LandPatch::kSide + x);
+      const auto b = static_cast<std::uint16_t>(a + 1), c = static_cast<std::uint16_t>(a + LandPatch::kSide),
+                 d = static_cast<std::uint16_t>(c + 1);
+      const auto height = [&](int dx, int dz) { return field_.height(rect.x0 + x + dx, rect.z0 + z + dz); };
+      if (std::fabs(height(0, 0) - height(1, 1)) <= std::fabs(height(1, 0) - height(0, 1)))
+        indices.insert(indices.end(), {a, c, d, a, d, b});
+      else indices.insert(indices.end(), {a, c, b, b, c, d});
+    }
+  }
+  return indices;
 }
 
 float LandMesh::sun_over(glm::vec3 place) const {
@@ -140,7 +186,11 @@ void LandMesh::reset(const Ground& ground) {
   field_.earth.assign(all, 0);
   patches_.assign(ground.patches().size(), {});
   constexpr std::size_t kVertices = std::size_t{LandPatch::kSide} * LandPatch::kSide;
-  for (LandPatch& patch : patches_) patch.vertices.resize(kVertices), patch.light.resize(kVertices);
+  for (std::size_t i = 0; i < patches_.size(); ++i) {
+    patches_[i].corner = ground.patches()[i].corner();
+    patches_[i].finish.resize(kVertices);
+    patches_[i].light.resize(kVertices);
+  }
   keys_.assign(patches_.size(), {});
   lamp_keys_.assign(patches_.size(), 0);
   lamps_.clear();
@@ -286,7 +336,6 @@ void LandMesh::mark_lamps(std::span<const Lamp> lamps) {
 void LandMesh::build(const Ground& ground, std::size_t patch) {
   const VertexRect all = rect_of(patch), rect = stale_[patch].vertices;
   LandPatch& made = patches_[patch];
-  const float half = 0.5f * static_cast<float>(field_.across);
   for (int z = rect.z0; z <= rect.z1; ++z) {
     for (int x = rect.x0; x <= rect.x1; ++x) {
       const std::size_t at = field_.at(x, z);
@@ -294,36 +343,20 @@ void LandMesh::build(const Ground& ground, std::size_t patch) {
       const glm::vec3 normal =
           glm::normalize(glm::vec3(field_.height(x - 1, z) - field_.height(x + 1, z), 2 * kCellSide,
                                    field_.height(x, z - 1) - field_.height(x, z + 1)));
-      LandVertex& vertex = made.vertices[static_cast<std::size_t>((z - all.z0) * LandPatch::kSide + x - all.x0)];
-      vertex.position = {kCellSide * (static_cast<float>(x) - half), height,
-                         kCellSide * (static_cast<float>(z) - half)};
-      const glm::vec3 paint = land_paint(park_, {double{vertex.position.x}, double{vertex.position.z}, height, normal.y,
-                                                 wood, static_cast<float>(field_.earth[at]) / 255});
-      for (int i = 0; i < 3; ++i) {
-        vertex.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
-        vertex.paint[static_cast<std::size_t>(i)] = byte_of(std::sqrt(paint[i]));
-      }
-      vertex.paint[3] = byte_of((0.30f + 0.70f * open_sky(field_, x, z)) * (1 - 0.35f * wood));
+      const auto vertex = static_cast<std::size_t>((z - all.z0) * LandPatch::kSide + x - all.x0);
+      const glm::vec3 at_vertex = place(patch, vertex);
+      const glm::vec3 paint = land_paint(park_, {double{at_vertex.x}, double{at_vertex.z}, height, normal.y, wood,
+                                                 static_cast<float>(field_.earth[at]) / 255});
+      made.finish[vertex] = land_finish(normal, paint, (0.30f + 0.70f * open_sky(field_, x, z)) * (1 - 0.35f * wood));
     }
   }
   made.low = ground.patches()[patch].low, made.high = ground.patches()[patch].high;
-  if (!stale_[patch].indices) return;
-  made.indices.clear();
-  made.open = false;
+  if (!stale_[patch].open) return;
+  made.open.clear();
   for (int z = 0; z < kPatchCells; ++z) {
     for (int x = 0; x < kPatchCells; ++x) {
       const int column = all.x0 + x - field_.across / 2, row = all.z0 + z - field_.across / 2;
-      if (is_open(ground, {column, row})) {
-        made.open = true;
-        continue;
-      }
-      const auto a = static_cast<std::uint16_t>(z * LandPatch::kSide + x);
-      const auto b = static_cast<std::uint16_t>(a + 1), c = static_cast<std::uint16_t>(a + LandPatch::kSide),
-                 d = static_cast<std::uint16_t>(c + 1);
-      const auto height = [&](std::uint16_t i) { return made.vertices[i].position.y; };
-      if (std::fabs(height(a) - height(d)) <= std::fabs(height(b) - height(c)))
-        made.indices.insert(made.indices.end(), {a, c, d, a, d, b});
-      else made.indices.insert(made.indices.end(), {a, c, b, b, c, d});
+      if (is_open(ground, {column, row})) made.open.push_back(static_cast<std::uint16_t>(z * kPatchCells + x));
     }
   }
 }
@@ -345,9 +378,9 @@ void LandMesh::bake(std::size_t patch) {
       light.sun =
           sun_shines_ ? byte_of(sunlight(field_, {x, field_.height(x, z) + 0.2f, z}, sun_, highest_, true)) : 255;
       float sum = 0;
-      const std::array<std::int8_t, 4>& n = made.vertices[i].normal;
+      const std::array<std::int8_t, 4>& n = made.finish[i].normal;
       const glm::vec3 normal = glm::vec3(n[0], n[1], n[2]) / 127.0f;
-      for (const Lamp* lamp : near) sum += lamp_light(*lamp, made.vertices[i].position, normal);
+      for (const Lamp* lamp : near) sum += lamp_light(*lamp, place(patch, i), normal);
       light.lamp = byte_of(0.5f * sum);
     }
   }
@@ -368,7 +401,7 @@ void LandMesh::update(const Ground& ground, const Plants* plants, glm::vec3 sun,
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     if (keys[i] == keys_[i]) continue;
     const VertexRect rect = rect_of(i);
-    if (keys[i].ground != keys_[i].ground || keys[i].track != keys_[i].track) stale_[i].indices = true;
+    if (keys[i].ground != keys_[i].ground || keys[i].track != keys_[i].track) stale_[i].open = true;
     float above = std::max(patches_[i].high, ground.patches()[i].high);
     const VertexRect moved = take_heights(ground.patches()[i], rect), covered = take_cover(ground, plants, rect);
     keys_[i] = keys[i];
@@ -384,13 +417,13 @@ void LandMesh::update(const Ground& ground, const Plants* plants, glm::vec3 sun,
   mark_lamps(lamps);
   std::vector<std::size_t> work;
   for (std::size_t i = 0; i < patches_.size(); ++i)
-    if (!stale_[i].vertices.empty() || stale_[i].indices || stale_[i].light) work.push_back(i);
+    if (!stale_[i].vertices.empty() || stale_[i].open || stale_[i].light) work.push_back(i);
   if (work.empty()) return;
   ++build_;
   base::in_parts(work.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t i = work[k];
-      if (!stale_[i].vertices.empty() || stale_[i].indices) build(ground, i), patches_[i].build = build_;
+      if (!stale_[i].vertices.empty() || stale_[i].open) build(ground, i), patches_[i].build = build_;
       if (stale_[i].light || !stale_[i].vertices.empty()) bake(i), patches_[i].light_build = build_;
       stale_[i] = {};
     }

@@ -22,10 +22,18 @@ inline std::uint8_t byte_of(float part) {
   return static_cast<std::uint8_t>(std::lround(255 * glm::clamp(part, 0.0f, 1.0f)));
 }
 
-struct LandVertex {
-  glm::vec3 position{0};                // m
+// How a vertex of land, or of what stands on it, takes light.
+struct LandFinish {
   std::array<std::int8_t, 4> normal{};  // in 1/127; the last is 0
   std::array<std::uint8_t, 4> paint{};  // square roots of linear light, then ambient light, in 1/255
+  friend bool operator==(const LandFinish&, const LandFinish&) = default;
+};
+// `paint`: linear light; `ambient`: the part of the sky's light that arrives. Both are limited to 0..1.
+LandFinish land_finish(glm::vec3 normal, glm::vec3 paint, float ambient);
+struct LandVertex {
+  glm::vec3 position{0};  // m
+  LandFinish finish;
+  friend bool operator==(const LandVertex&, const LandVertex&) = default;
 };
 // What reaches a vertex of the sun and of lamps (half of it), in 1/255.
 struct LandLight {
@@ -56,12 +64,12 @@ struct LandField {
 
 struct LandPatch {
   static constexpr int kSide = GroundPatch::kSide;
-  std::vector<LandVertex> vertices;          // kSide rows of kSide
+  glm::vec2 corner{0};                       // m, the lower one
+  std::vector<LandFinish> finish;            // of kSide rows of kSide vertices
   std::vector<LandLight> light;              // of those vertices
-  std::vector<std::uint16_t> indices;        // triangles of all cells that are not open
-  bool open = false;                         // some cells are left out, for a tunnel's mouth
+  std::vector<std::uint16_t> open;           // cells that are left out, for a tunnel's mouth: row by row, in order
   float low = 0, high = 0;                   // m
-  std::uint64_t build = 0, light_build = 0;  // new numbers when vertices or indices change, and when the light does
+  std::uint64_t build = 0, light_build = 0;  // new numbers when vertices or open cells change, and when the light does
 };
 
 class LandMesh {
@@ -74,8 +82,13 @@ class LandMesh {
   std::uint64_t reset_build() const { return reset_; }  // a new number when all patches are new
   // Returns how much sun and lamps reach a place, from the nearest vertex.
   LandLight light_at(double x, double z) const;
-  // Returns the nearest vertex; there are patches.
-  const LandVertex& vertex_at(double x, double z) const;
+  // Returns the finish of the nearest vertex; there are patches.
+  const LandFinish& finish_at(double x, double z) const;
+  // Returns where (m) a vertex of a patch is.
+  glm::vec3 place(std::size_t patch, std::size_t vertex) const;
+  std::vector<LandVertex> vertices(std::size_t patch) const;
+  // Returns the triangles of all cells of a patch that are not open, as indices of its vertices.
+  std::vector<std::uint16_t> triangles(std::size_t patch) const;
   // Returns how much of the sun reaches a place over the land, 0..1, past hills but not past crowns.
   float sun_over(glm::vec3 place) const;
 
@@ -86,7 +99,7 @@ class LandMesh {
   };
   struct Stale {
     VertexRect vertices;
-    bool indices = false, light = false;
+    bool open = false, light = false;
   };
   std::pair<const LandPatch*, std::size_t> nearest(double x, double z) const;
   void reset(const Ground& ground);

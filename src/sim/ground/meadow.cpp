@@ -39,8 +39,8 @@ std::vector<glm::dvec3> stations_near(const Ground& ground, glm::vec3 eye) {
 }
 
 // Returns how bright green ground is, 0..1; negative for all other.
-float green(const LandVertex& vertex) {
-  const glm::vec3 paint(vertex.paint[0], vertex.paint[1], vertex.paint[2]);
+float green(const LandFinish& finish) {
+  const glm::vec3 paint(finish.paint[0], finish.paint[1], finish.paint[2]);
   if (paint.y < 1.03f * paint.x || paint.y < 1.25f * paint.z) return -1;
   const float red = paint.x / 255;
   return glm::clamp((red * red - 0.12f) / 0.17f, 0.0f, 1.0f);
@@ -64,7 +64,7 @@ std::vector<MeadowPlant> meadow_around(const LandMesh& land, const Ground& groun
       const double rank = chance(kHere), shows = reach * (1 - 0.82 * std::sqrt(rank));
       const double part = 1 - std::sqrt(level * level + over * over) / shows;
       if (part <= 0 || !ground.in_square(at.x, at.y)) continue;
-      const float tint = green(land.vertex_at(at.x, at.y));
+      const float tint = green(land.finish_at(at.x, at.y));
       if (tint < 0 || at_station(stations, at)) continue;
       const double height = ground.height(at.x, at.y);
       if (height < ground.water() + 0.3) continue;

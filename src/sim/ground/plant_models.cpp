@@ -18,16 +18,7 @@ float random(int a, int b) { return static_cast<float>(random_at(a, b, 11)); }
 class ModelBuilder {
  public:
   std::uint16_t vertex(glm::vec3 at, glm::vec3 normal, glm::vec3 paint, float ambient) {
-    LandVertex made;
-    made.position = at;
-    normal = glm::normalize(normal);
-    for (int i = 0; i < 3; ++i) {
-      made.normal[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(127 * normal[i]));
-      made.paint[static_cast<std::size_t>(i)] =
-          static_cast<std::uint8_t>(std::lround(255 * std::sqrt(glm::clamp(paint[i], 0.0f, 1.0f))));
-    }
-    made.paint[3] = static_cast<std::uint8_t>(std::lround(255 * glm::clamp(ambient, 0.0f, 1.0f)));
-    model_.vertices.push_back(made);
+    model_.vertices.push_back({at, land_finish(glm::normalize(normal), paint, ambient)});
     return static_cast<std::uint16_t>(model_.vertices.size() - 1);
   }
   void triangle(std::uint16_t a, std::uint16_t b, std::uint16_t c) {

@@ -47,15 +47,11 @@ struct Site {
   }
 };
 
-bool same(const LandVertex& a, const LandVertex& b) {
-  return a.position == b.position && a.normal == b.normal && a.paint == b.paint;
-}
 int differing(const LandMesh& a, const LandMesh& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.patches().size(); ++i) {
-    const LandPatch &x = a.patches()[i], &y = b.patches()[i];
-    count += !std::ranges::equal(x.vertices, y.vertices, same) || x.light != y.light || x.indices != y.indices ||
-             x.open != y.open;
+    count += a.vertices(i) != b.vertices(i) || a.patches()[i].light != b.patches()[i].light ||
+             a.triangles(i) != b.triangles(i);
   }
   return count;
 }
@@ -66,14 +62,23 @@ TEST(LandMesh, is_the_ground) {
   std::mt19937 bits(3);
   const auto uniform = [&] { return bits() / 4294967296.0; };
   ASSERT_EQ(mesh.patches().size(), site.ground.patches().size());
-  for (const LandPatch& patch : mesh.patches()) {
-    for (int i = 0; i < 20 && !patch.indices.empty(); ++i) {
-      const std::size_t triangle = 3 * (bits() % (patch.indices.size() / 3));
-      const auto corner = [&](std::size_t k) { return patch.vertices[patch.indices[triangle + k]].position; };
+  for (std::size_t patch = 0; patch < mesh.patches().size(); ++patch) {
+    const std::vector<std::uint16_t> indices = mesh.triangles(patch);
+    for (int i = 0; i < 20 && !indices.empty(); ++i) {
+      const std::size_t triangle = 3 * (bits() % (indices.size() / 3));
+      const auto corner = [&](std::size_t k) { return mesh.place(patch, indices[triangle + k]); };
       const double u = uniform(), v = uniform() * (1 - u);
       const glm::dvec3 a(corner(0)), b(corner(1)), c(corner(2)), at = a + u * (b - a) + v * (c - a);
       ASSERT_NEAR(at.y, site.ground.height(at.x, at.z), 1e-3) << at.x << " " << at.z;
       ASSERT_GT(glm::cross(b - a, c - a).y, 0) << "counter-clockwise from above";
+    }
+    // What is drawn takes the heights of its patch of the ground.
+    const GroundPatch& ground = site.ground.patches()[patch];
+    for (std::size_t i = 0; i < ground.heights.size(); ++i) {
+      const glm::vec3 at = mesh.place(patch, i);
+      const auto x = static_cast<float>(2 * (i % GroundPatch::kSide)),
+                 z = static_cast<float>(2 * (i / GroundPatch::kSide));
+      ASSERT_EQ(at, glm::vec3(ground.corner().x + x, ground.heights[i], ground.corner().y + z)) << patch << " " << i;
     }
   }
 }
@@ -91,10 +96,10 @@ TEST(LandMesh, leaves_out_what_is_open_and_nothing_else) {
   for (std::size_t knot = 0; knot < 12; ++knot) site.move(knot, {0, -6, 0});
   int open = 0;
   const LandMesh mesh = site.mesh();
-  for (const LandPatch& patch : mesh.patches()) {
-    const int cells = world::kGroundTileCells * world::kGroundTileCells;
-    EXPECT_EQ(patch.open, patch.indices.size() < std::size_t{6} * cells);
-    open += cells - static_cast<int>(patch.indices.size() / 6);
+  for (std::size_t i = 0; i < mesh.patches().size(); ++i) {
+    const std::size_t cells = world::kGroundTileCells * world::kGroundTileCells, left = mesh.triangles(i).size() / 6;
+    EXPECT_EQ(mesh.patches()[i].open.size(), cells - left);
+    open += static_cast<int>(cells - left);
   }
   ASSERT_FALSE(site.ground.gates().empty()) << "the ring passes through the hill";
   EXPECT_GT(open, 0);
@@ -150,15 +155,15 @@ TEST(LandMesh, lies_in_the_sun_where_a_ray_to_it_meets_no_land) {
   LandMesh mesh;
   mesh.update(site.ground, nullptr, kLowSun, true, {});
   int dark = 0, lit = 0, too_dark = 0, too_lit = 0;
-  for (const LandPatch& patch : mesh.patches()) {
-    for (std::size_t i = 0; i < patch.vertices.size(); i += 37) {
-      const glm::dvec3 from = glm::dvec3(patch.vertices[i].position) + glm::dvec3(0, 0.5, 0);
+  for (std::size_t patch = 0; patch < mesh.patches().size(); ++patch) {
+    for (std::size_t i = 0; i < mesh.patches()[patch].light.size(); i += 37) {
+      const glm::dvec3 from = glm::dvec3(mesh.place(patch, i)) + glm::dvec3(0, 0.5, 0);
       const auto met = site.ground.meet(from, glm::dvec3(kLowSun), 340);
       const auto higher = site.ground.meet(from + glm::dvec3(0, 3, 0), glm::dvec3(kLowSun), 340);
       if (met.has_value() != higher.has_value()) continue;  // at the edge of a shadow
       if (met && !site.ground.in_square(from.x + *met * double{kLowSun.x}, from.z + *met * double{kLowSun.z})) continue;
       (met ? dark : lit) += 1;
-      const bool sunny = patch.light[i].sun >= 128;
+      const bool sunny = mesh.patches()[patch].light[i].sun >= 128;
       too_lit += met && sunny, too_dark += !met && !sunny;
     }
   }
@@ -176,8 +181,8 @@ TEST(LandMesh, sees_less_of_the_sky_in_a_valley) {
   const LandMesh mesh = site.mesh();
   const LandField& field = mesh.field();
   int seen = 0;
-  for (const LandPatch& patch : mesh.patches()) {
-    for (const LandVertex& vertex : patch.vertices) {
+  for (std::size_t patch = 0; patch < mesh.patches().size(); ++patch) {
+    for (const LandVertex& vertex : mesh.vertices(patch)) {
       if (std::abs(vertex.position.z) > 60 || vertex.position.x != 0) continue;
       // The sides rise by 2 across the valley, by the square root of 2 halfway, and not at all along it: of the sky
       // 1/5, 1/3 and all are left.
@@ -185,7 +190,7 @@ TEST(LandMesh, sees_less_of_the_sky_in_a_valley) {
       const auto half = static_cast<int>(field.across / 2);
       const float wood =
           static_cast<float>(field.wood[field.at(half, half + static_cast<int>(vertex.position.z / 2))]) / 255;
-      EXPECT_NEAR(vertex.paint[3], 255 * (0.30f + 0.70f * open) * (1 - 0.35f * wood), 1.01);
+      EXPECT_NEAR(vertex.finish.paint[3], 255 * (0.30f + 0.70f * open) * (1 - 0.35f * wood), 1.01);
       ++seen;
     }
   }
@@ -200,10 +205,10 @@ TEST(LandMesh, sees_less_of_the_sky_between_walls_some_way_off) {
   LandMesh mesh;
   mesh.update(site.ground, nullptr, kSun, true, {});
   int seen = 0;
-  for (const LandPatch& patch : mesh.patches())
-    for (const LandVertex& vertex : patch.vertices)
+  for (std::size_t patch = 0; patch < mesh.patches().size(); ++patch)
+    for (const LandVertex& vertex : mesh.vertices(patch))
       if (std::abs(vertex.position.z) < 60 && vertex.position.x == 0) {
-        EXPECT_LT(vertex.paint[3], 190);
+        EXPECT_LT(vertex.finish.paint[3], 190);
         ++seen;
       }
   EXPECT_GT(seen, 50);
