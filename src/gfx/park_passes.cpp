@@ -229,7 +229,9 @@ SunShadows::ParkCasters ParkPasses::casters(const PassContext& pass) const {
     const PlantCache::Drawn drawn = parts.plants.cast(light, unseen);
     pass.stats.draw_calls += drawn.draw_calls, pass.stats.triangles += drawn.triangles;
   };
-  return {content, parts.lowest, cast};
+  const float half =
+      0.5f * static_cast<float>(pass.scene.ground->tiles_across() * world::kGroundTileCells * world::kGroundCell);
+  return {content, parts.lowest, half, cast};
 }
 
 // Draws the patches in the picture, with the shadow maps where they reach; the water of those that have some.

@@ -238,7 +238,11 @@ void SunShadows::update(const PassContext& pass, TrackCache& track, const CarIns
   const auto fit = [&](const LightBox& box, float least) {
     return fit_shadow(axes, scene.shadows ? box : LightBox{}, least, eye, forward, park ? kParkDepth : kDepthMargin);
   };
-  const ShadowFit square = fit(track_box_.update(axes, scene.derived, park ? park->lowest : 0), kTrackSide);
+  LightBox casters = track_box_.update(axes, scene.derived, park ? park->lowest : 0);
+  if (park && casters.empty())
+    for (const float x : {-park->half, park->half})
+      for (const float z : {-park->half, park->half}) casters.add(axes.of({x, park->lowest, z}), 0);
+  const ShadowFit square = fit(casters, kTrackSide);
   const float texel_metres = square.side / static_cast<float>(texels);
   const auto cast = [&](const glm::mat4& light) {
     cast_track(pass, track, light, texel_metres);

@@ -113,6 +113,7 @@ class SunShadows {
   struct ParkCasters {
     std::uint64_t content = 0;
     float lowest = 0;  // m, of the land
+    float half = 0;    // m, half the side of its square, which casts shadows while there is no track
     std::function<void(const glm::mat4& light)> draw;
   };
   void update(const PassContext& pass, TrackCache& track, const CarInstances& instances, const ParkCasters* park);

@@ -112,6 +112,26 @@ TEST_F(Park, uploads_nothing_in_a_still_frame_and_near_patches_after_a_move) {
   EXPECT_EQ(moved.uploads, 2);
 }
 
+TEST_F(Park, trees_cast_shadows_before_there_is_a_track) {
+  track_.document.track = {};
+  track_.document.entities = {};
+  settle(world::Land::hills);
+  carts_.clear();
+  eye_ = view::Eye{.position = {0, ground_.surface(0, 0) + 60, 0}, .forward = glm::normalize(glm::dvec3(0.6, -1, 0.3))};
+  shadows_ = false;
+  const Image bright = shot();
+  shadows_ = true;
+  const Image shaded = shot();
+  int darker = 0, brighter = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const int change = colour_at(shaded, x, y).y - colour_at(bright, x, y).y;
+      darker += change<-15, brighter += change> 2;
+    }
+  EXPECT_GT(darker, 100);
+  EXPECT_EQ(brighter, 0);
+}
+
 TEST_F(Park, looks_the_same_whatever_was_drawn_before) {
   const Image before = shot();
   style_ = world::Style::night;
