@@ -31,8 +31,8 @@ constexpr double kBesideHanging = 0.75;  // the same for a train that hangs
 constexpr double kBesideOver = 0.6;      // rad more while it is upside down: shows a loop from the side
 constexpr double kPerTrain = 0.6;        // m of distance per metre of train
 constexpr double kOverGround = 1.2;      // m
-constexpr double kInsideLag = 0.35;      // s, to go into the tube of a tunnel
-constexpr double kBeforeTunnel = 1;      // s before a tunnel, and at least
+constexpr double kInsideLag = 0.35;      // s, to go into the tube of a tunnel, or below a station's roof
+constexpr double kBeforeRoof = 1;        // s before a tunnel or a station, and at least
 constexpr double kLeastBefore = 8;       // m
 constexpr double kTubeNearer = 0.6;      // of the distance behind the train, within a tube
 constexpr double kInTube = 1, kTubeEdge = 0.5;  // m over its middle; m from its wall
@@ -70,7 +70,7 @@ double least_height(const CameraSubject& w, const dvec3& eye) {
 
 bool on_land(const CameraSubject& w) { return w.ground != nullptr && !w.ground->plain(); }
 
-// The place on the track from where a train in a tunnel is seen: behind it in the middle of the tube.
+// The place on the track from where a train in a tunnel is seen, or in a station: behind it in the middle of the tube.
 struct TubePlace {
   dvec3 axis{0}, eye{0};
   bool in_tunnel = false;
@@ -86,15 +86,15 @@ TubePlace tube_place(const CameraSubject& w, const RiddenTrain& ridden) {
   return tube;
 }
 
-// True from before the train enters a tunnel until the eye outside would be out of the hill.
-bool near_tunnel(const CameraSubject& w, const RiddenTrain& ridden) {
-  if (!on_land(w) || w.ground->tunnels().empty() || !(w.derived.length > 0)) return false;
+// True from before the train enters a tunnel or a station until the eye outside would be out of the hill or the roof.
+bool near_roof(const CameraSubject& w, const RiddenTrain& ridden) {
+  if (!on_land(w) || !(w.derived.length > 0)) return false;
   constexpr double kStep = 3, kAfter = 5, kMostBefore = 150;  // m
   const double front = w.derived.starts[ridden.front_place.index] + ridden.front_place.s, length = w.derived.length;
-  const double to = front + std::clamp(kBeforeTunnel * std::abs(ridden.motion.speed), kLeastBefore, kMostBefore);
+  const double to = front + std::clamp(kBeforeRoof * std::abs(ridden.motion.speed), kLeastBefore, kMostBefore);
   for (double s = front - 0.5 * ridden.length - distance_to(w, ridden) - kAfter; s <= to; s += kStep) {
     const double at = w.derived.closed ? s - length * std::floor(s / length) : s;
-    if (w.ground->tunnel_at(at) != nullptr) return true;
+    if (w.ground->roofed_at(at)) return true;
   }
   return false;
 }
@@ -108,7 +108,7 @@ dvec3 place(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& rid
   return eye;
 }
 
-// Returns the eye of the chase camera, taken into the tube where the train is near a tunnel.
+// Returns the eye of the chase camera, taken close behind the train where that is near a tunnel or a station.
 dvec3 kept_in_tube(const CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, dvec3 eye) {
   const double share = std::clamp(rig.inside.value, 0.0, 1.0);
   if (share < 1e-3) return eye;
@@ -337,7 +337,7 @@ void settle_chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& rid
   rig.elevation.settle(elevation_of(w, ridden));
   rig.beside.settle(beside_of(w, ridden));
   rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(w, ridden)));
-  rig.inside.settle(near_tunnel(w, ridden) ? 1 : 0);
+  rig.inside.settle(near_roof(w, ridden) ? 1 : 0);
 }
 
 Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, double dt) {
@@ -350,7 +350,7 @@ Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, dou
   eye.position = wanted + rig.aside.value;
   eye.position.y = std::max(eye.position.y, least_height(w, eye.position));
   if (on_land(w)) {
-    rig.inside.approach(near_tunnel(w, ridden) ? 1 : 0, kInsideLag, dt);
+    rig.inside.approach(near_roof(w, ridden) ? 1 : 0, kInsideLag, dt);
     eye.position = kept_in_tube(rig, w, ridden, eye.position);
   }
   const dvec3 to = looked_at(w, ridden) - eye.position;
