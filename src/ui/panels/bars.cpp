@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -232,16 +231,9 @@ void list_in(RideRow& row, const char* id, float width, Build build) {
 }
 
 void camera_list(Ui& ui) {
-  std::vector<Choice> choices;
-  for (const base::NameRow& row : rows_of(world::CameraMode{})) {
-    std::string label(row.name);
-    label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
-    choices.push_back({label, std::string(row.help)});
-  }
-  const auto now = static_cast<int>(ui.session().settings.camera_mode);
-  if (const auto to =
-          combo(ui, "Camera", choices, now, with_keys(ui.keys, "The camera.", "Next camera"), ComboPlace::in_bar))
-    choose_camera(ui, static_cast<world::CameraMode>(*to));
+  if (const auto to = combo_of(ui, "Camera", ui.session().settings.camera_mode,
+                               with_keys(ui.keys, "The camera.", "Next camera"), ComboPlace::in_bar))
+    choose_camera(ui, *to);
 }
 
 constexpr float kSeatWidth = 164, kCameraWidth = 148;  // design px, with their labels
