@@ -259,10 +259,7 @@ int run_script(const Options& options) {
 // With --frames: draws that many frames. Else rides a lap (two minutes at most) without drawing, and takes one picture
 // in its middle.
 base::Status ride(Program& program, RideSummary& summary) {
-  const auto tick = [&] {
-    advance(program, 1);
-    measure(program.session, summary);
-  };
+  const auto tick = [&] { ride_tick(program, summary); };
   const auto draw = [&] { run_frame(program, {platform::Tick{2 * world::kTick}}, 0); };
   if (const base::Status started = apply(program, edit::RideStart{}); !started) return started;
   if (program.options.frames) {

@@ -73,8 +73,7 @@ gfx::Image picture(Program& program) {
   if (filming.movie->frames() == 0) size = program.surface->size();
   if (size.width < 1 || size.height < 1) size = {1280, 720};  // started while the window was minimised
   filming.shown.width = size.width, filming.shown.height = size.height;
-  const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole, program.picture.view.density), size);
+  draw_scene_alone(program, size);
   return program.renderer->read_pixels();
 }
 
@@ -279,6 +278,11 @@ std::optional<std::string> MovieEncoder::poll() {
 
 bool recording(const Program& program) { return program.filming && program.filming->movie; }
 
+void ride_tick(Program& program, RideSummary& summary) {
+  advance(program, 1);
+  measure(program.session, summary);
+}
+
 base::Status begin_lap(Program& program) {
   if (const base::Status stopped = apply(program, edit::RideStop{}); !stopped) return stopped;
   return apply(program, edit::RideStart{});
@@ -384,10 +388,7 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
                     : summary.ticks >= kMostRideTicks || lap_is_done(program.session);
   };
   const auto tick = [&](int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      advance(program, 1);
-      measure(program.session, summary);
-    }
+    for (int i = 0; i < ticks; ++i) ride_tick(program, summary);
   };
   while (recording(program) && !over() && platform::pending_signal() == 0) {
     film(program, 1, tick);

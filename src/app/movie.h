@@ -145,6 +145,8 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
 // True while a movie takes pictures.
 bool recording(const Program& program);
 
+// Advances the ride by a tick and measures it.
+void ride_tick(Program& program, RideSummary& summary);
 // Starts the ride at its start, so that the lap is complete.
 base::Status begin_lap(Program& program);
 

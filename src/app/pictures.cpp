@@ -110,11 +110,7 @@ std::filesystem::path movie_folder(const Program& program) {
 
 void take_photo(Program& program, bool panels) {
   const std::filesystem::path path = free_path(program, picture_folder(program), "", ".png");
-  if (!panels) {
-    const platform::Size size{program.stats.width, program.stats.height};
-    const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-    draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole, program.picture.view.density), size);
-  }
+  if (!panels) draw_scene_alone(program, {program.stats.width, program.stats.height});
   const base::Status wrote =
       panels ? write_picture(program, path) : write(program.files.root(), path, program.renderer->read_pixels());
   if (!panels) program.picture.unseen = true;  // what was drawn is not the frame

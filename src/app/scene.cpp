@@ -11,6 +11,7 @@
 #include "sim/ride/ride.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
+#include "ui/tools/show_places.h"
 #include "world/aid_settings.h"
 #include "world/appearance_settings.h"
 #include "world/laboratory_settings.h"
@@ -25,18 +26,13 @@ bool is_riding(const Program& program, const PictureSettings& look) {
   return look.alone || (with_train && program.session.motion.state == world::RideState::running);
 }
 
-// True if closing sections show. They are not searched for while a drag changes the track.
-bool shows_circuit(const Program& program, const PictureSettings& look) {
-  return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
-}
-
-// Returns the plan of the closing section that shows; null for none.
+// Returns the plan of the closing section that shows; null for none. It is not searched for while a drag changes the
+// track.
 const sim::ElementPlan* shown_closing(const edit::SessionFindings& find, const Program& program,
                                       const PictureSettings& look) {
-  if (!shows_circuit(program, look)) return nullptr;
-  const std::vector<sim::CircuitProposal>& ways = find.circuit().list;
-  const auto wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
-  return ways.empty() ? nullptr : &ways[std::min(wanted, ways.size() - 1)].plan;
+  if (look.settings.aids->circuit <= 0 || program.session.history.in_gesture) return nullptr;
+  const sim::CircuitProposals& ways = find.circuit();
+  return ways.list.empty() ? nullptr : &ways.list[ui::shown_proposal(*look.settings.aids, ways)].plan;
 }
 
 // Returns the water that cars throw up where their rails are near some.
@@ -166,7 +162,9 @@ void draw_pixels(Program& program) {
   program.ui->draw(size.width, size.height);
 }
 
-void draw_scene_alone(Program& program, const view::View& view, platform::Size size) {
+void draw_scene_alone(Program& program, platform::Size size) {
+  const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
+  const view::View view = view::view_of(program.picture.rig.eye, whole, program.picture.view.density);
   world::Settings settings = program.session.settings;
   settings.selected = world::kNone;
   settings.also.clear();

@@ -37,9 +37,9 @@ gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const P
 // the rest of a frame is always done.
 void draw_pixels(Program& program);
 
-// Draws the present scene without panels, marks of knots and selection into the renderer's picture, outside any frame
-// and its statistics.
-void draw_scene_alone(Program& program, const view::View& view, platform::Size size);
+// Draws the present scene from its eye without panels, marks of knots and selection into the renderer's picture,
+// outside any frame and its statistics.
+void draw_scene_alone(Program& program, platform::Size size);
 
 // Returns the pose of each car of each train, for a picture from this eye.
 std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye);

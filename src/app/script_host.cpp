@@ -15,7 +15,6 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "edit/commands/set_setting.h"
 #include "edit/session/findings.h"
 #include "script/grammar.h"
 #include "script/runner.h"
@@ -26,7 +25,6 @@
 #include "view/pick.h"
 #include "world/appearance_settings.h"
 #include "world/sections.h"
-#include "world/settings_groups.h"
 
 namespace coaster::app {
 
@@ -153,16 +151,6 @@ bool strayed(const Program& program) {
   return program.session.edits != start.edits && program.session.document != start.document;
 }
 
-// Sets those settings to their values at the start of the lesson.
-template <auto... Setting>
-void restore(Program& program, const world::Settings& start) {
-  const auto one = [&]<auto S>() {
-    if (const auto value = world::value_in<S>(start); value != world::value_in<S>(program.session.settings))
-      (void)apply(program, edit::Set<S>{value});
-  };
-  (one.template operator()<Setting>(), ...);
-}
-
 // Restores track, element and selection of the lesson's start, as far as undo and redo lead there.
 void return_to_start(Program& program) {
   const Tutorial::Start& start = program.tutorial.start;
@@ -173,8 +161,8 @@ void return_to_start(Program& program) {
   const world::Settings& now = program.session.settings;
   if (now.element != start.settings.element)
     (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
-  restore<&world::EditingAids::show_element, &world::EditingAids::circuit, &world::EditingAids::append_mode,
-          &world::Panels::workspace, &world::Panels::show_panels>(program, start.settings);
+  take_settings<&world::EditingAids::show_element, &world::EditingAids::circuit, &world::EditingAids::append_mode,
+                &world::Panels::workspace, &world::Panels::show_panels>(program, start.settings);
   program.tutorial.card->strayed = false;
   const world::Document& document = program.session.document;
   const bool lives = document.entities.alive(start.settings.selected);
@@ -304,10 +292,7 @@ void end_tutorial(Program& program) {
   const std::shared_ptr<TutorialRun> run = std::move(program.tutorial.run);
   if (!run) return;
   world::for_each_setting([&]<auto Setting>() {
-    if constexpr (kLentToTutorial<Setting>)
-      if (const auto value = world::value_in<Setting>(run->former);
-          value != world::value_in<Setting>(program.session.settings))
-        (void)apply(program, edit::Set<Setting>{value});
+    if constexpr (kLentToTutorial<Setting>) take_settings<Setting>(program, run->former);
   });
 }
 

@@ -4,9 +4,11 @@
 #include <type_traits>
 
 #include "app/program.h"
+#include "edit/commands/set_setting.h"
 #include "script/host.h"
 #include "world/aid_settings.h"
 #include "world/panel_settings.h"
+#include "world/settings_groups.h"
 
 namespace coaster::app {
 
@@ -24,6 +26,16 @@ std::string answer(Program& program, std::string_view question);
 void teach(Program& program);
 // Ends the tutorial and restores the settings that it changed.
 void end_tutorial(Program& program);
+
+// Sets those settings to their values in `from`.
+template <auto... Setting>
+void take_settings(Program& program, const world::Settings& from) {
+  const auto take = [&]<auto S>() {
+    if (const auto value = world::value_in<S>(from); value != world::value_in<S>(program.session.settings))
+      (void)apply(program, edit::Set<S>{value});
+  };
+  (take.template operator()<Setting>(), ...);
+}
 
 template <auto A, auto B>
 inline constexpr bool kSameSetting =

@@ -16,10 +16,8 @@
 #include "base/parallel.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/set_setting.h"
 #include "exchange/formats.h"
 #include "world/panel_settings.h"
-#include "world/settings_groups.h"
 
 namespace coaster::app {
 namespace {
@@ -200,10 +198,7 @@ void for_each_kept(Visit visit) {
 }
 
 void show(Program& program, const exchange::UserSettings& settings) {
-  for_each_kept([&]<auto Setting>() {
-    const auto kept = world::value_in<Setting>(settings.session);
-    if (world::value_in<Setting>(program.session.settings) != kept) (void)apply(program, edit::Set<Setting>{kept});
-  });
+  for_each_kept([&]<auto Setting>() { take_settings<Setting>(program, settings.session); });
 }
 
 // Copies the state of session and window that belongs to the settings.

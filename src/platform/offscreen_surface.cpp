@@ -288,8 +288,6 @@ class OffscreenSurface final : public Surface {
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   bool is_window() const override { return false; }
   std::string library() const override { return library_; }
-  std::optional<WindowPlacement> placement() const override { return std::nullopt; }
-  void place(const WindowPlacement&) override {}
 
  private:
   OffscreenContext context_;

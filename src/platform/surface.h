@@ -65,9 +65,9 @@ class Surface {
   virtual std::string library() const = 0;  // that created the context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the
   // screen.
-  virtual std::optional<WindowPlacement> placement() const = 0;
+  virtual std::optional<WindowPlacement> placement() const { return std::nullopt; }
   // Moves the window there, or to the nearest visible position.
-  virtual void place(const WindowPlacement& placement) = 0;
+  virtual void place(const WindowPlacement& placement) { (void)placement; }
 };
 
 struct SurfaceOptions {

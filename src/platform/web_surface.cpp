@@ -198,8 +198,6 @@ class WebSurface final : public Surface {
   void before_leaving(const std::function<bool()>& autosave) override { autosave_ = autosave; }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
-  std::optional<WindowPlacement> placement() const override { return std::nullopt; }
-  void place(const WindowPlacement&) override {}
 
   std::string answer(const std::string& question) const { return ask_ ? ask_(question) : ""; }
   bool autosave() const { return autosave_ && autosave_(); }

@@ -126,13 +126,6 @@ base::Result<bool> meets(const Condition& c, double found) {
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
 }
 
-// Returns the number that a text begins with, as panels show it: 6.25 of "6.25 m/s". Nothing if it begins otherwise.
-std::optional<double> leading_number(std::string_view text) {
-  std::string_view part = text.substr(0, text.find_first_not_of("0123456789.eE+-"));
-  while (!part.empty() && !number_of(part)) part.remove_suffix(1);
-  return number_of(part);
-}
-
 // With a tolerance, texts compare by the numbers that they begin with.
 base::Result<bool> meets(const Condition& c, const std::string& found) {
   if (c.tolerance) {
@@ -360,6 +353,12 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
   const base::Result<bool> result = condition.op ? std::visit(meets_it, value) : base::Result<bool>(is_true(value));
   if (!result) return result.status();
   return *result != condition.negated;
+}
+
+std::optional<double> leading_number(std::string_view text) {
+  std::string_view part = text.substr(0, text.find_first_not_of("0123456789.eE+-"));
+  while (!part.empty() && !number_of(part)) part.remove_suffix(1);
+  return number_of(part);
 }
 
 std::string describe(const Query& query, const Value& value) {

@@ -40,6 +40,9 @@ base::Result<bool> holds(const Condition& condition, const Value& value);
 // Returns "found 3.5 m", or "but ride.lap_time is none: no lap completed".
 std::string describe(const query::Query& query, const Value& value);
 
+// Returns the number that a text begins with, as panels show it: 6.25 of "6.25 m/s". Nothing if it begins otherwise.
+std::optional<double> leading_number(std::string_view text);
+
 // --- Goals of searches: a query of track and ride, and the value that it should have
 
 // Goals that players select from: names for queries.

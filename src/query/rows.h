@@ -52,6 +52,7 @@ Value number(Number n) {
 }
 inline Value text(std::string_view t) { return std::string(t); }
 inline Value none(std::string_view why = {}) { return NoValue{std::string(why)}; }
+inline Value text_or_none(std::string_view t, std::string_view why) { return t.empty() ? none(why) : text(t); }
 // Returns one of a set of words; the word none is none.
 inline Value word(std::string_view w) { return w == "none" ? none() : text(w); }
 
@@ -61,8 +62,8 @@ inline constexpr std::string_view kNoSegment = "there is no segment", kNoRide = 
                                   kOpenEnd = "no joint at an end of an open track",
                                   kNoFrame = "no frame has been drawn";
 
-// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value unchanged;
-// none for the name none and an optional without a value.
+// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, the size of a list, any other
+// value unchanged; none for the name none and an optional without a value.
 template <class T>
 Value value_of(const T& value) {
   if constexpr (std::is_same_v<T, bool>) return yes_no(value);
@@ -73,6 +74,8 @@ Value value_of(const T& value) {
   else if constexpr (std::is_same_v<T, glm::vec3>) return glm::dvec3(value);
   else if constexpr (std::is_same_v<T, std::optional<double>>)
     return value ? number(*value) : none("the ride does not arrive there");
+  else if constexpr (std::is_convertible_v<T, std::string_view>) return text(value);
+  else if constexpr (requires { value.size(); }) return number(value.size());
   else return value;
 }
 
@@ -101,33 +104,49 @@ constexpr ValueDomain values_of() {
   else return kText;
 }
 
+// Paint in words: the palette with exactly these colours.
+inline constexpr View kMixed = "mixed";
+inline View palette_name(const world::Paint& paint) {
+  const auto palette = world::palette_of(paint);
+  return palette ? base::name_of(*palette) : kMixed;
+}
+
 // Returns the names of the parameters of all elements, and the value of one.
 std::vector<std::string> parameter_names();
 Value parameter_of(const world::Element& element, std::string_view name);
 
-// Returns the member at the end of a path of members.
+// Returns the value at the end of a path of members and functions.
 template <class T>
-const T& member_at(const T& object) {
-  return object;
+Value value_at(const T& object) {
+  return value_of(object);
 }
-template <class T, class Member, class... Path>
-const auto& member_at(const T& object, Member member, Path... path) {
-  return member_at(object.*member, path...);
+template <class T, class Step, class... Path>
+Value value_at(const T& object, Step step, Path... path) {
+  return value_at(std::invoke(step, object), path...);
 }
 
-// Row of a member of the session's document or of the last frame's figures: of_document<&world::Document::datum>.
+// Rows of what a path leads to from the session, its document, its findings or the last frame's figures:
+// of_document<&world::Document::datum>.
+template <auto... path>
+Answer of_session(const QueryContext& c, View) {
+  return value_at(c.session, path...);
+}
 template <auto... path>
 Answer of_document(const QueryContext& c, View) {
-  return value_of(member_at(c.session.document, path...));
+  return value_at(c.session.document, path...);
+}
+template <auto... path>
+Answer of_findings(const QueryContext& c, View) {
+  return value_at(c.find, path...);
 }
 template <auto... path>
 Answer of_stats(const QueryContext& c, View) {
-  return value_of(member_at(c.stats, path...));
+  return value_at(c.stats, path...);
 }
 // The same of what the last frame drew; none before the first.
 template <auto... path>
 Answer of_frame(const QueryContext& c, View) {
-  return c.stats.frame > 0 ? value_of(member_at(c.stats, path...)) : none(kNoFrame);
+  return c.stats.frame > 0 ? value_at(c.stats, path...) : none(kNoFrame);
 }
 
 // Returns the value of `function` for the entity that the argument names.
@@ -137,6 +156,21 @@ Answer of_entity(const QueryContext& c, View argument, world::EntityKind kind, F
   if (!entity) return entity.status();
   return value_of(function(*entity));
 }
+
+// Rows of what a path leads to from the knot, segment, section or train that the argument names.
+template <world::EntityKind kind, class Component, auto... path>
+Answer of_component(const QueryContext& c, View argument) {
+  return of_entity(c, argument, kind,
+                   [&](world::Entity e) { return value_at(c.session.document.entities.get<Component>(e), path...); });
+}
+template <auto... path>
+constexpr auto of_knot = of_component<world::EntityKind::knot, world::Knot, path...>;
+template <auto... path>
+constexpr auto of_segment = of_component<world::EntityKind::segment, world::Segment, path...>;
+template <auto... path>
+constexpr auto of_section = of_component<world::EntityKind::section, world::Section, path...>;
+template <auto... path>
+constexpr auto of_train = of_component<world::EntityKind::cart, world::Train, path...>;
 
 // Returns the joint at a knot; nothing at an end of an open track.
 std::optional<curve::JointContinuity> joint_at(const world::Document& document, world::Entity knot);

@@ -17,10 +17,6 @@ namespace coaster::query {
 namespace {
 
 // --- the whole track
-Answer knots(const QueryContext& c, View) { return number(c.session.document.track.knots.size()); }
-Answer segments(const QueryContext& c, View) { return number(c.session.document.track.segments.size()); }
-Answer length(const QueryContext& c, View) { return number(c.session.derived.measured_length); }
-Answer exact_length(const QueryContext& c, View) { return number(c.session.derived.length); }
 
 Answer longest(const QueryContext& c, View) {
   const sim::DerivedTrack& derived = c.session.derived;
@@ -38,7 +34,6 @@ const sim::Conflict* worst_conflict(const QueryContext& c) {
       std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
   return worst == found.end() ? nullptr : &*worst;
 }
-Answer conflicts(const QueryContext& c, View) { return number(c.find.conflicts().size()); }
 Answer conflict_missing(const QueryContext& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
   return number(worst ? worst->missing : 0.0);
@@ -49,7 +44,6 @@ Answer conflict_place(const QueryContext& c, View) {
   return worst ? number(worst->*distance) : none("there is no conflict");
 }
 
-Answer flooded(const QueryContext& c, View) { return number(c.find.flooded().size()); }
 Answer flooded_depth(const QueryContext& c, View) {
   double deepest = 0;
   for (const sim::FloodedTrack& stretch : c.find.flooded()) deepest = std::max(deepest, stretch.depth);
@@ -57,8 +51,6 @@ Answer flooded_depth(const QueryContext& c, View) {
 }
 
 // --- folds
-Answer folds(const QueryContext& c, View) { return number(c.find.folds().size()); }
-Answer tight_bends(const QueryContext& c, View) { return number(c.find.tight_bends().size()); }
 Answer tight_bend_at(const QueryContext& c, View) {
   const auto found = c.find.tight_bends();
   return found.empty() ? none("there is no tight bend") : number(sim::tightest(found).at);
@@ -90,47 +82,35 @@ Answer open_end_distance(const QueryContext& c, View) {
 
 template <auto member>
 Answer of_import(const QueryContext& c, View) {
-  return c.session.file.import ? number((*c.session.file.import).*member) : none("the track was not imported");
+  return c.session.file.import ? value_at(*c.session.file.import, member) : none("the track was not imported");
 }
 Answer import_knots(const QueryContext& c, View) {
   return number(c.session.file.import ? c.session.file.import->knots : 0);
 }
 
 // --- knots
-template <auto member>
-Answer of_knot(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::knot,
-                   [&](world::Entity e) { return std::invoke(member, world::knot(c.session.document, e)); });
-}
 double spin_deg(const world::Knot& knot) { return base::degrees(double{knot.spin}); }
 
 // --- segments
-Answer turns(const QueryContext& c, View argument) {
+template <auto step>
+Answer of_shape(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::EntityKind::segment,
-                   [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
+                   [&](world::Entity e) { return value_at(c.session.derived.shape(e), step); });
 }
-Answer segment_length(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::segment,
-                   [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
+Value twist(const sim::SegmentShape& shape) {
+  return sim::has_cusp(shape) ? none("the segment has a cusp") : number(base::degrees(shape.roll.twist));
 }
-Answer twist(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::segment, [&](world::Entity e) {
-    const sim::SegmentShape& shape = c.session.derived.shape(e);
-    return sim::has_cusp(shape) ? none("the segment has a cusp") : number(base::degrees(shape.roll.twist));
-  });
-}
-
-// --- evaluation
-Answer vertices(const QueryContext& c, View) { return number(c.session.derived.vertices); }
 
 constexpr ArgumentPart kHashed[]{{.words = [] { return std::vector<std::string>{"document", "motion"}; }}};
 
 constexpr Query kDocumentRows[]{
-    {"knots", "", "Number of knots.", knots},
-    {"segments", "", "Number of segments.", segments},
+    {"knots", "", "Number of knots.", of_document<&world::Document::track, &world::Track::knots>},
+    {"segments", "", "Number of segments.", of_document<&world::Document::track, &world::Track::segments>},
     {"closed", "", "on if the track is closed.", of_document<&world::Document::track, &world::Track::closed>, kSwitch},
-    {"length", "m", "Length of the track by the chosen arc-length method.", length, of_view()},
-    {"exact_length", "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
+    {"length", "m", "Length of the track by the chosen arc-length method.",
+     of_session<&edit::Session::derived, &sim::DerivedTrack::measured_length>, of_view()},
+    {"exact_length", "m", "Length of the track by adaptive Gauss-Legendre.",
+     of_session<&edit::Session::derived, &sim::DerivedTrack::length>},
     {"name", "", "The track's name.", of_document<&world::Document::name>, kText},
     {"start_speed", "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
     {"open_end.distance", "m",
@@ -141,21 +121,23 @@ constexpr Query kDocumentRows[]{
     {"conflicts", "",
      "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
      "other track.",
-     conflicts},
+     of_findings<&edit::SessionFindings::conflicts>},
     {"conflict.missing", "m", "Clearance missing at the worst conflict; 0 if there is none.", conflict_missing},
     {"conflict.at", "m", "Distance of the worst conflict along the track; none if there is none.",
      conflict_place<&sim::Conflict::at>, or_none()},
     {"conflict.other", "m", "Distance of its other stretch along the track; none if there is none.",
      conflict_place<&sim::Conflict::other>, or_none()},
-    {"flooded", "", "Stretches of track under the water of a land, outside tunnels.", flooded},
+    {"flooded", "", "Stretches of track under the water of a land, outside tunnels.",
+     of_findings<&edit::SessionFindings::flooded>},
     {"flooded.depth", "m", "Largest depth of track under water; 0 if there is none.", flooded_depth},
-    {"folds", "", "Places where the rails fold: the curve's radius is below the rails' distance from it.", folds},
+    {"folds", "", "Places where the rails fold: the curve's radius is below the rails' distance from it.",
+     of_findings<&edit::SessionFindings::folds>},
     {"fold.at", "m", "Distance of the first fold along the track; none if there is none.", first_fold<&sim::Fold::at>,
      or_none()},
     {"fold.radius", "m", "The curve's radius there; none if there is none.", first_fold<&sim::Fold::radius>, or_none()},
     {"tight_bends", "",
      "Places where the curve bends with a radius below 0.5 m or reverses its direction: no train can pass.",
-     tight_bends},
+     of_findings<&edit::SessionFindings::tight_bends>},
     {"tight_bend.at", "m", "Distance of the tightest one along the track; none if there is none.", tight_bend_at,
      or_none()},
     {"least_radius", "m",
@@ -186,10 +168,11 @@ constexpr Query kDocumentRows[]{
     {"curvature_jump", kKnot, "1/m",
      "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
      of_joint<&curve::JointContinuity::curvature_jump>, or_none()},
-    {"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
-    {"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length, of_view()},
+    {"turns", kSegment, "", "Whole turns of roll within a segment.", of_segment<&world::Segment::turns>},
+    {"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.",
+     of_shape<&sim::SegmentShape::measured_length>, of_view()},
     {"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
-     twist, or_none()},
+     of_shape<twist>, or_none()},
     {"import.max_error", "m",
      "Largest distance of an imported file's rows from the fitted track; none without an import.",
      of_import<&exchange::ImportReport::max_error>, or_none()},
@@ -204,7 +187,8 @@ constexpr Query kDocumentRows[]{
     {"import.jump_error", "deg", "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
      of_import<&exchange::ImportReport::jump_error>, or_none()},
     {"import.knots", "", "Number of knots of the fitted track; 0 without an import.", import_knots},
-    {"vertices", "", "Number of vertices of all polylines.", vertices, of_view()},
+    {"vertices", "", "Number of vertices of all polylines.",
+     of_session<&edit::Session::derived, &sim::DerivedTrack::vertices>, of_view()},
 };
 
 // Returns the speed of the first train by name, m/s; nothing without one.

@@ -26,7 +26,6 @@ Answer water(const QueryContext& c, View) {
   if (park.plain()) return none(kNoLand);
   return park.water == world::kNoWater ? none("there is no water") : number(park.water);
 }
-Answer tiles(const QueryContext& c, View) { return number(c.session.document.park.tiles.map().size()); }
 
 // The argument is "X,Z".
 Answer ground_height(const QueryContext& c, View place) {
@@ -56,18 +55,12 @@ Answer ground_clearance(const QueryContext& c, View) {
   return none(c.session.derived.order.empty() ? kNoSegment : "all of the track is in tunnels");
 }
 
-Answer tunnels(const QueryContext& c, View) { return number(c.find.ground().tunnels().size()); }
 Answer tunnels_length(const QueryContext& c, View) {
   double sum = 0;
   for (const sim::Tunnel& tunnel : c.find.ground().tunnels()) sum += tunnel.length;
   return number(sum);
 }
 Answer trees(const QueryContext& c, View) { return number(c.find.ground().plain() ? 0 : c.find.plants().trees()); }
-
-Answer earthwork(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::section,
-                   [&](world::Entity e) { return value_of(world::section(c.session.document, e).earthwork); });
-}
 
 constexpr ArgumentPart kPlace[]{{.usage = "X", .number = true}, {.usage = "Z", .number = true, .before = ','}};
 
@@ -79,17 +72,18 @@ constexpr Query kParkRows[]{
     {"park.woods", "", "How much of the land is wooded, 0 to 1; none without a land.", of_park<&world::Park::woods>,
      or_none()},
     {"park.water", "m", "Level of lakes and seas; none without water.", water, or_none()},
-    {"park.tiles", "", "Number of tiles of 64 m that brushes have touched.", tiles},
+    {"park.tiles", "", "Number of tiles of 64 m that brushes have touched.",
+     of_document<&world::Document::park, &world::Park::tiles, &world::GroundTiles::map>},
     {"ground.height", kPlace, "m",
      "Height of the ground at a place, such as 12,-30, as it is cut to the track; 0 without a park.", ground_height},
     {"ground.clearance", "m", "Least height of the rails above the ground outside tunnels; none without track there.",
      ground_clearance, or_none()},
-    {"tunnels", "", "Number of tunnels.", tunnels},
+    {"tunnels", "", "Number of tunnels.", of_findings<&edit::SessionFindings::ground, &sim::Ground::tunnels>},
     {"tunnels.length", "m", "Length of all tunnels.", tunnels_length},
     {"trees", "", "Number of trees, without bushes and rocks.", trees},
     {"section.earthwork", kSection, "",
-     "What is done to the land where a section runs below it: automatic, cut, tunnel or none.", earthwork,
-     or_none(kOneOf<world::Earthwork>)},
+     "What is done to the land where a section runs below it: automatic, cut, tunnel or none.",
+     of_section<&world::Section::earthwork>, or_none(kOneOf<world::Earthwork>)},
 };
 
 }  // namespace

@@ -48,17 +48,11 @@ Answer cart_height(const QueryContext& c, View) {
     return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height;
   });
 }
-// sim::energy or sim::energy_drift.
-template <auto function>
-Answer energy(const QueryContext& c, View) {
+// Row of what a function returns for the train, or of what a path leads to from there.
+template <auto function, auto... path>
+Answer of_moving(const QueryContext& c, View) {
   return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
-    return function(c.session.document, c.session.derived, e, cart);
-  });
-}
-template <float sim::FeltAcceleration::*axis>
-Answer felt(const QueryContext& c, View) {
-  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
-    return double{sim::felt(c.session.document, c.session.derived, e, cart).*axis};
+    return value_at(function(c.session.document, c.session.derived, e, cart), path...);
   });
 }
 template <double sim::LoadsByWheelKind::*kind>
@@ -68,12 +62,10 @@ Answer wheels(const QueryContext& c, View argument) {
     return sim::wheel_loads(c.session.document, c.session.derived, e, cart).of(*set).*kind;
   });
 }
-template <double sim::CarRoll::*member>
-Answer roll(const QueryContext& c, View) {
-  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
-    return glm::degrees(sim::rolling(c.session.document, c.session.derived, e, cart).*member);
-  });
-}
+// Of the first car.
+constexpr auto kFelt = [](const auto&... train) { return sim::felt(train...); };
+constexpr auto kRolling = [](const auto&... train) { return sim::rolling(train...); };
+
 // Jerk depends on earlier values, so it comes from the simulation of the whole ride.
 Answer jerk(const QueryContext& c, View) {
   return of_cart(c, [&](world::Entity, const world::TrainMotion& cart) -> std::optional<double> {
@@ -106,16 +98,18 @@ constexpr Query kRideRows[]{
     {"ride.lap", "", "Whole laps since the start; backwards counts negative.", of_motion<&world::TrainMotion::laps>,
      or_none()},
     {"ride.segment", "", "Segment under the train.", segment, or_none(kText)},
-    {"ride.energy", "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
+    {"ride.energy", "J/kg", "v^2/2 + g (y - datum).", of_moving<sim::energy>, or_none()},
     {"ride.cost", "ns",
      "Time of a tick of the live ride on this machine, all trains together; none before the first tick.", cost,
      of_view(or_none())},
-    {"ride.energy_drift", "", "|energy - energy at the start| / largest kinetic energy.", energy<sim::energy_drift>,
+    {"ride.energy_drift", "", "|energy - energy at the start| / largest kinetic energy.", of_moving<sim::energy_drift>,
      or_none()},
     {"ride.g_up", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
-     felt<&sim::FeltAcceleration::up>, or_none()},
-    {"ride.g_side", "g", "Felt g to the rider's left, not low-passed.", felt<&sim::FeltAcceleration::left>, or_none()},
-    {"ride.g_forward", "g", "Felt g forwards, not low-passed.", felt<&sim::FeltAcceleration::forward>, or_none()},
+     of_moving<kFelt, &sim::FeltAcceleration::up>, or_none()},
+    {"ride.g_side", "g", "Felt g to the rider's left, not low-passed.", of_moving<kFelt, &sim::FeltAcceleration::left>,
+     or_none()},
+    {"ride.g_forward", "g", "Felt g forwards, not low-passed.", of_moving<kFelt, &sim::FeltAcceleration::forward>,
+     or_none()},
     {"wheels.road", kWordOf<sim::WheelSet>, "kN", "Load of the first car's road wheels: the rails push them up.",
      wheels<&sim::LoadsByWheelKind::road>, or_none()},
     {"wheels.up_stop", kWordOf<sim::WheelSet>, "kN",
@@ -126,16 +120,14 @@ constexpr Query kRideRows[]{
     {"ride.jerk", "g/s", "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk,
      or_none()},
     {"ride.roll_rate", "deg/s", "Rate at which the first car rolls about the rails. Positive to the right.",
-     roll<&sim::CarRoll::rate>, or_none()},
-    {"ride.roll_acceleration", "deg/s^2", "Change of the roll rate per second.", roll<&sim::CarRoll::acceleration>,
-     or_none()},
+     of_moving<kRolling, &sim::CarRoll::rate, glm::degrees<double>>, or_none()},
+    {"ride.roll_acceleration", "deg/s^2", "Change of the roll rate per second.",
+     of_moving<kRolling, &sim::CarRoll::acceleration, glm::degrees<double>>, or_none()},
 };
-
-const sim::SimulatedRide* simulated_ride_of(const QueryContext& c) { return c.find.ride(); }
 
 template <auto... path>
 Answer rating(const QueryContext& c, View) {
-  return simulated_ride_of(c) ? value_of(member_at(c.find.ratings(), path...)) : none(kNoRide);
+  return c.find.ride() ? value_at(c.find.ratings(), path...) : none(kNoRide);
 }
 template <sim::Extreme sim::Ratings::*member>
 constexpr auto extreme = rating<member, &sim::Extreme::value>;
@@ -147,30 +139,21 @@ Answer most(const QueryContext& c, View) {
 }
 
 Answer lap_time(const QueryContext& c, View) {
-  const sim::SimulatedRide* const simulated = simulated_ride_of(c);
+  const sim::SimulatedRide* const simulated = c.find.ride();
   return simulated && simulated->lap ? number(simulated->lap_time) : none(simulated ? "no lap completed" : kNoRide);
 }
 Answer envelope(const QueryContext& c, View) {
-  return simulated_ride_of(c) ? number(c.find.overloads().size()) : none(kNoRide);
+  return c.find.ride() ? number(c.find.overloads().size()) : none(kNoRide);
 }
-Answer envelope_name(const QueryContext& c, View) { return text(c.session.limits.name); }
-Answer fail(const QueryContext& c, View) { return value_of(c.session.motion.failure.kind); }
 Answer fail_distance(const QueryContext& c, View) {
   const world::RideFailure& failure = c.session.motion.failure;
   return failure.kind != world::FailureKind::none ? number(failure.distance) : none("the ride has not failed");
 }
-Answer why_ended(const QueryContext& c, View) {
-  const sim::SimulatedRide* const simulated = simulated_ride_of(c);
-  return simulated ? value_of(simulated->end) : none(kNoRide);
-}
+Answer why_ended(const QueryContext& c, View) { return c.find.ride() ? value_of(c.find.ride()->end) : none(kNoRide); }
+constexpr View kOwn = "own";
 Answer losses(const QueryContext& c, View) {
   const auto set = world::loss_set_of(c.session.document.resistance);
-  return text(set ? base::name_of(*set) : "own");
-}
-template <auto member>
-Answer of_cart(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::cart,
-                   [&](world::Entity e) { return c.session.document.entities.get<world::Train>(e).*member; });
+  return text(set ? base::name_of(*set) : kOwn);
 }
 Answer equipment(const QueryContext& c, View argument) {
   const auto segment = entity_of(c, argument, world::EntityKind::segment);
@@ -186,26 +169,15 @@ Answer equipped(const QueryContext& c, View argument) {
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
 }
 
-// Paint in words: the palette with exactly these colours.
-Answer paint(const QueryContext& c, View) {
-  const auto palette = world::palette_of(c.session.document.paint);
-  return text(palette ? base::name_of(*palette) : "mixed");
-}
 Answer paint_colour(const QueryContext& c, View argument) {
   return text(world::to_text(c.session.document.paint.of(*base::value_named<world::PaintPart>(argument))));
 }
-std::vector<std::string> palettes() {
-  std::vector<std::string> words = base::names_of<world::Palette>();
-  words.emplace_back("mixed");
+template <base::Named E, const std::string_view& other>
+std::vector<std::string> names_and() {
+  std::vector<std::string> words = base::names_of<E>();
+  words.emplace_back(other);
   return words;
 }
-
-std::vector<std::string> loss_sets() {
-  std::vector<std::string> words = base::names_of<world::LossSet>();
-  words.emplace_back("own");
-  return words;
-}
-
 constexpr Query kSimulatedRows[]{
     {"ride.lap_time", "s", "Lap time of the simulated ride; none if it does not complete the lap.", lap_time,
      or_none()},
@@ -235,7 +207,8 @@ constexpr Query kSimulatedRows[]{
     {"ride.speed_max", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>, or_none()},
     {"ride.envelope", "", "Number of overloads: stretches where a g exceeds its limit for too long.", envelope,
      or_none()},
-    {"envelope", "", "Name of the force limits: data to edit, not a compliance check.", envelope_name, kText},
+    {"envelope", "", "Name of the force limits: data to edit, not a compliance check.",
+     of_session<&edit::Session::limits, &edit::ForceLimits::name>, kText},
     {"ride.excitement", "", "Excitement from 0 to 10: drops, speed, airtime, near misses, less jolts and overloads.",
      rating<&sim::Ratings::excitement>, or_none()},
     {"ride.intensity", "", "Intensity by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::intensity>,
@@ -258,27 +231,28 @@ constexpr Query kSimulatedRows[]{
      "Why the simulated ride does not complete the lap: none, stalled, rolled back, ran off the open end.", why_ended,
      or_none(kOneOf<world::FailureKind>)},
     {"ride.fail", "", "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.",
-     fail, or_none(kOneOf<world::FailureKind>)},
+     of_session<&edit::Session::motion, &world::Motion::failure, &world::RideFailure::kind>,
+     or_none(kOneOf<world::FailureKind>)},
     {"ride.fail_distance", "m", "Distance along the track where it stopped; none if it has not.", fail_distance,
      or_none()},
     {"rolling", "", "Rolling friction, as a fraction of the weight.",
      of_document<&world::Document::resistance, &world::Losses::rolling>},
     {"drag", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Losses::drag>},
     {"losses", "", "Named set of losses: frictionless, openfvd, kexedit, or own for other numbers.", losses,
-     texts(loss_sets)},
+     texts(names_and<world::LossSet, kOwn>)},
     {"heartline", "m", "Height of the riders' hearts above the rails, for which forces are given.",
      of_document<&world::Document::heartline>},
     {"curve", "", "What the track's curve is: rails or heartline.", of_document<&world::Document::curve>,
      kOneOf<world::TrackCurve>},
     {"kind", "", "Kind of coaster: steel, wooden, inverted, mine or kiddie.", of_document<&world::Document::kind>,
      kOneOf<world::CoasterKind>},
-    {"paint", "", "Palette of the track's paint: own for the kind's usual one, mixed for other colours.", paint,
-     texts(palettes)},
+    {"paint", "", "Palette of the track's paint: own for the kind's usual one, mixed for other colours.",
+     of_document<&world::Document::paint, palette_name>, texts(names_and<world::Palette, kMixed>)},
     {"paint.colour", kWordOf<world::PaintPart>, "", "Colour of a part's paint, #d9452f; own without one.", paint_colour,
      kText},
-    {"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Train::cars>},
-    {"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Train::length>},
-    {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Train::mass>},
+    {"cars", kCart, "", "Number of cars of a train.", of_train<&world::Train::cars>},
+    {"car_length", kCart, "m", "Length of a car's body.", of_train<&world::Train::length>},
+    {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_train<&world::Train::mass>},
     {"equipment", kSegment, "", "Equipment of a segment: station, lift, launch, brake, block or none.", equipment,
      or_none(kOneOf<world::EquipmentKind>)},
     {"equipped", kWordOf<world::EquipmentKind>, "", "Number of segments with that equipment.", equipped},
@@ -333,9 +307,6 @@ Answer at_seat(const QueryContext& c, View word) {
 constexpr View kNoChallenge = "there is no challenge";
 
 Answer active(const QueryContext& c, View) { return yes_no(c.session.game.challenge.has_value()); }
-Answer challenge_name(const QueryContext& c, View) {
-  return c.session.game.challenge ? text(c.session.game.challenge->file.name) : none(kNoChallenge);
-}
 template <class Counts>
 Answer count(const QueryContext& c, Counts counts) {
   if (!c.session.game.challenge) return none(kNoChallenge);
@@ -350,16 +321,13 @@ Answer met(const QueryContext& c, View) {
 Answer passed(const QueryContext& c, View) {
   return yes_no(c.session.game.challenge && c.session.game.challenge->medal > 0);
 }
-Answer failure(const QueryContext& c, View) {
-  return c.session.game.challenge ? text(c.session.game.challenge->last.reason) : none(kNoChallenge);
-}
-template <auto member>
+template <auto... path>
 Answer of_challenge(const QueryContext& c, View) {
-  return c.session.game.challenge ? value_of((*c.session.game.challenge).*member) : none(kNoChallenge);
+  return c.session.game.challenge ? value_at(*c.session.game.challenge, path...) : none(kNoChallenge);
 }
 template <auto member>
 Answer of_card(const QueryContext& c, View) {
-  return c.session.game.result ? value_of((*c.session.game.result).*member) : none("no ride has ended");
+  return c.session.game.result ? value_at(*c.session.game.result, member) : none("no ride has ended");
 }
 Answer rides(const QueryContext& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
 Answer challenge_deviation(const QueryContext& c, View) {
@@ -373,7 +341,8 @@ Answer card_shows(const QueryContext& c, View) {
 }
 constexpr Query kGameRows[]{
     {"challenge.active", "", "on during a challenge.", active, kSwitch},
-    {"challenge.name", "", "Name of the challenge, none without one.", challenge_name, or_none(kText)},
+    {"challenge.name", "", "Name of the challenge, none without one.",
+     of_challenge<&edit::ActiveChallenge::file, &exchange::ChallengeFile::name>, or_none(kText)},
     {"challenge.goals", "", "Number of goals and limits of the challenge.", goals, or_none()},
     {"challenge.met", "", "Number of them that hold now; rules about the ride use the simulated ride.", met, or_none()},
     {"challenge.passed", "", "on if the challenge has been passed since it was started.", passed, kSwitch},
@@ -381,8 +350,8 @@ constexpr Query kGameRows[]{
      of_challenge<&edit::ActiveChallenge::medal>, or_none()},
     {"challenge.judged", "", "Number of judgements since it was started.", of_challenge<&edit::ActiveChallenge::judged>,
      or_none()},
-    {"challenge.failure", "", "Why the last judgement failed; empty if it passed or there was none.", failure,
-     or_none(kText)},
+    {"challenge.failure", "", "Why the last judgement failed; empty if it passed or there was none.",
+     of_challenge<&edit::ActiveChallenge::last, &edit::ChallengeVerdict::reason>, or_none(kText)},
     {"challenge.hints", "", "Number of hints shown.", of_challenge<&edit::ActiveChallenge::hints>, or_none()},
     {"challenge.deviation", "m",
      "Largest distance between the track and the challenge's start track, independent of their knots; none without "

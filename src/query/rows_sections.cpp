@@ -14,7 +14,7 @@ namespace {
 template <class Function>
 Answer of_run(const QueryContext& c, View argument, Function function) {
   return of_entity(c, argument, world::EntityKind::section,
-                   [&](world::Entity e) { return function(world::run_of(c.session.document, e)); });
+                   [&](world::Entity e) { return std::invoke(function, world::run_of(c.session.document, e)); });
 }
 std::string knot_at(const QueryContext& c, std::size_t index) {
   const auto& knots = c.session.document.track.knots;
@@ -24,24 +24,7 @@ std::string knot_at(const QueryContext& c, std::size_t index) {
 Answer sections(const QueryContext& c, View) {
   return number(c.session.document.entities.pool<world::Section>().size());
 }
-Answer section_kind(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::section, [&](world::Entity e) {
-    return std::string(world::kind_name(world::section(c.session.document, e)));
-  });
-}
-Answer section_title(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::section,
-                   [&](world::Entity e) { return world::title_of(world::section(c.session.document, e)); });
-}
-Answer section_paint(const QueryContext& c, View argument) {
-  return of_entity(c, argument, world::EntityKind::section, [&](world::Entity e) {
-    const auto palette = world::palette_of(world::section(c.session.document, e).paint);
-    return std::string(palette ? base::name_of(*palette) : "mixed");
-  });
-}
-Answer section_segments(const QueryContext& c, View argument) {
-  return of_run(c, argument, [](const world::SectionRun& run) { return run.count; });
-}
+Answer section_segments(const QueryContext& c, View argument) { return of_run(c, argument, &world::SectionRun::count); }
 Answer section_length(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) {
     const std::vector<double>& starts = c.session.derived.starts;
@@ -62,10 +45,7 @@ Answer section_of(const QueryContext& c, View argument) {
 // Returns a figure of the section; none if the ride does not reach it.
 template <auto Member>
 Answer section_figure(const QueryContext& c, View argument) {
-  return of_run(c, argument, [&](const world::SectionRun& run) -> Value {
-    const auto value = c.find.sections().of(run).*Member;
-    return value_of(value);
-  });
+  return of_run(c, argument, [&](const world::SectionRun& run) { return c.find.sections().of(run).*Member; });
 }
 // The argument is "@q1.height".
 Answer section_value(const QueryContext& c, View argument) {
@@ -89,11 +69,11 @@ std::vector<std::string> kinds() {
 constexpr Query kSectionRows[]{
     {"sections", "", "Number of sections of the track.", sections},
     {"section.of", kSegment, "", "The section of a segment, such as q2.", section_of, kText},
-    {"section.kind", kSection, "", "What a section was planned as, such as loop; free if shaped by hand.", section_kind,
-     texts(kinds)},
-    {"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
+    {"section.kind", kSection, "", "What a section was planned as, such as loop; free if shaped by hand.",
+     of_section<world::kind_name>, texts(kinds)},
+    {"section.title", kSection, "", "A section's title; without one its kind.", of_section<world::title_of>, kText},
     {"section.paint", kSection, "", "Palette of a section's paint: own for the track's, mixed for other colours.",
-     section_paint, kText},
+     of_section<&world::Section::paint, palette_name>, kText},
     {"section.value", kSectionParameter, "",
      "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
      section_value, or_none({ValueType::parameter})},
@@ -117,7 +97,6 @@ constexpr Query kSectionRows[]{
 
 const sim::ElementPlan& plan(const QueryContext& c) { return c.find.element(); }
 
-Answer element(const QueryContext& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
 Answer side(const QueryContext& c, View) {
   const world::Element& e = c.session.settings.element;
   return base::row_of(e.kind).sided ? text(e.right ? "right" : "left") : none("the element has no side");
@@ -127,47 +106,39 @@ Answer value(const QueryContext& c, View argument) { return parameter_of(plan(c)
 template <auto... path>
 Answer of_plan(const QueryContext& c, View) {
   const sim::ElementPlan& found = plan(c);
-  return found.spans() > 0 ? value_of(member_at(found, path...)) : none(found.refusal);
-}
-Answer roll_error(const QueryContext& c, View) {
-  const Answer radians = of_plan<&sim::ElementPlan::fit, &sim::ElementFit::roll_error>(c, {});
-  return is_none(*radians) ? radians : number(base::degrees(std::get<double>(*radians)));
+  return found.spans() > 0 ? value_at(found, path...) : none(found.refusal);
 }
 Answer spans(const QueryContext& c, View) { return number(plan(c).spans()); }
 Answer missing(const QueryContext& c, View) {
   return plan(c).spans() > 0 ? number(sim::worst(c.find.room())) : none(plan(c).refusal);
 }
-Answer refusal(const QueryContext& c, View) {
-  return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);
-}
+Answer refusal(const QueryContext& c, View) { return text_or_none(plan(c).refusal, "it can be placed"); }
 
-const sim::CircuitProposals& circuit(const QueryContext& c) { return c.find.circuit(); }
-Answer proposals(const QueryContext& c, View) { return number(circuit(c).list.size()); }
 constexpr ArgumentPart kProposal[]{{.usage = "N", .most = sim::kMostProposals}};
 // Returns function(index) of the proposal that the argument names, none without it.
 template <class Function>
 Answer of_proposal(const QueryContext& c, View argument, Function function) {
   const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
-  return i < circuit(c).list.size() ? number(function(i)) : none("there is no such closing section");
+  return i < c.find.circuit().list.size() ? value_of(function(i)) : none("there is no such closing section");
 }
-Answer circuit_length(const QueryContext& c, View argument) {
-  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
-}
-Answer circuit_g(const QueryContext& c, View argument) {
-  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].felt.most; });
+template <auto... path>
+Answer of_circuit(const QueryContext& c, View argument) {
+  return of_proposal(c, argument, [&](std::size_t i) { return value_at(c.find.circuit().list[i], path...); });
 }
 Answer circuit_jolt(const QueryContext& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return c.find.closing_jolt(i); });
 }
 Answer circuit_refusal(const QueryContext& c, View) {
-  return circuit(c).refusal.empty() ? none("there is a closing section") : text(circuit(c).refusal);
+  return text_or_none(c.find.circuit().refusal, "there is a closing section");
 }
 
 constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
 std::vector<std::string> sides() { return {"left", "right"}; }
 
 constexpr Query kElementRows[]{
-    {"element", "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
+    {"element", "", "The palette's element, such as loop.",
+     of_session<&edit::Session::settings, &world::Settings::element, &world::Element::kind>,
+     kOneOf<world::ElementKind>},
     {"element.side", "", "left or right; none for an element without a side.", side, or_none(texts(sides))},
     {"element.value", kParameter, "",
      "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
@@ -175,8 +146,8 @@ constexpr Query kElementRows[]{
     {"element.error", "m",
      "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
      of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
-    {"element.roll_error", "deg", "Largest angle between the spans' frames and the ideal curve's.", roll_error,
-     or_none()},
+    {"element.roll_error", "deg", "Largest angle between the spans' frames and the ideal curve's.",
+     of_plan<&sim::ElementPlan::fit, &sim::ElementFit::roll_error, base::degrees>, or_none()},
     {"element.jump", "1/m", "Largest jump of curvature at the joints of the palette's element, including its first.",
      of_plan<&sim::ElementPlan::fit, &sim::ElementFit::jump>, or_none()},
     {"element.spans", "", "Number of Bezier spans of the palette's element.", spans},
@@ -187,10 +158,13 @@ constexpr Query kElementRows[]{
     {"element.lowest", "m", "Lowest height (y) of its rails.", of_plan<&sim::ElementPlan::lowest>, or_none()},
     {"element.missing", "m", "Clearance missing between it and other track; 0 if there is enough.", missing, or_none()},
     {"element.refusal", "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
-    {"complete.proposals", "", "Number of closing sections that are proposed: 0 to 3.", proposals},
-    {"complete.length", kProposal, "m", "Length of a closing section; none without it.", circuit_length, or_none()},
+    {"complete.proposals", "", "Number of closing sections that are proposed: 0 to 3.",
+     of_findings<&edit::SessionFindings::circuit, &sim::CircuitProposals::list>},
+    {"complete.length", kProposal, "m", "Length of a closing section; none without it.",
+     of_circuit<&sim::CircuitProposal::plan, &sim::ElementPlan::length>, or_none()},
     {"complete.worst_g", kProposal, "g",
-     "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
+     "Largest vertical felt g on a closing section, not low-passed; none without it.",
+     of_circuit<&sim::CircuitProposal::felt, &sim::FeltRange::most>, or_none()},
     {"complete.jolt", kProposal, "g",
      "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
     {"complete.refusal", "", "Why there is no closing section; none if there is one.", circuit_refusal, or_none(kText)},
@@ -266,11 +240,11 @@ Answer force_keys(const QueryContext& c, View word) {
 }
 template <auto... path>
 Answer of_program(const QueryContext& c, View word) {
-  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan.task.program, path...)); });
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_at(plan.task.program, path...); });
 }
 template <auto... path>
 Answer of_force(const QueryContext& c, View word) {
-  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan, path...)); });
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_at(plan, path...); });
 }
 Answer force_unmet_at(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) {
@@ -279,8 +253,7 @@ Answer force_unmet_at(const QueryContext& c, View word) {
 }
 Answer force_stopped(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) {
-    const std::string stopped = sim::stop_text(plan);
-    return stopped.empty() ? none("it has its whole length") : text(stopped);
+    return text_or_none(sim::stop_text(plan), "it has its whole length");
   });
 }
 

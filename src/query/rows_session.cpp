@@ -40,9 +40,6 @@ Answer selected_count(const QueryContext& c, View) {
 Answer undo_label(const QueryContext& c, View) {
   return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().text.command);
 }
-Answer snapping(const QueryContext& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
-Answer undo_depth(const QueryContext& c, View) { return number(c.session.history.undo.size()); }
-Answer redo_depth(const QueryContext& c, View) { return number(c.session.history.redo.size()); }
 Answer dirty(const QueryContext& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const QueryContext& c, View) { return text(c.toast); }
 base::Result<Widget> widget(const QueryContext& c, View path) {
@@ -80,12 +77,8 @@ Answer camera_tilt(const QueryContext& c, View) {
   const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }
-Answer camera_target(const QueryContext& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
-Answer camera_distance(const QueryContext& c, View) { return number(c.session.settings.camera.distance); }
-Answer camera_yaw(const QueryContext& c, View) { return number(c.session.settings.camera.yaw_deg); }
-Answer camera_pitch(const QueryContext& c, View) { return number(c.session.settings.camera.pitch_deg); }
-
-Answer tick(const QueryContext& c, View) { return number(c.session.tick); }
+template <auto member>
+constexpr auto of_camera = of_session<&edit::Session::settings, &world::Settings::camera, member>;
 Answer entities(const QueryContext& c, View) {
   const world::Entities& all = c.session.document.entities;
   return number(all.size() - all.pool<world::Section>().size());
@@ -97,10 +90,11 @@ constexpr Query kSessionRows[]{
     {"selected_kind", "", "knot, segment, cart or section: what is selected; none if nothing is.", selected_kind,
      or_none(kOneOf<world::EntityKind>)},
     {"selected_count", "", "Number of selected knots or sections; 1 for a segment or a train.", selected_count},
-    {"snapping", "", "Dragged knots snap to: off, grid, knots or ground.", snapping, kOneOf<world::SnapTo>},
+    {"snapping", "", "Dragged knots snap to: off, grid, knots or ground.",
+     of_session<&edit::Session::settings, &world::Settings::snapping, &world::Snapping::to>, kOneOf<world::SnapTo>},
     {"undo_label", "", "Name of the next undo step; empty if there is none.", undo_label, kText},
-    {"undo_depth", "", "Number of undo steps.", undo_depth},
-    {"redo_depth", "", "Number of redo steps.", redo_depth},
+    {"undo_depth", "", "Number of undo steps.", of_session<&edit::Session::history, &edit::History::undo>},
+    {"redo_depth", "", "Number of redo steps.", of_session<&edit::Session::history, &edit::History::redo>},
     {"dirty", "", "on if the track has unsaved changes.", dirty, kSwitch},
     {"toast", "", "Text of the newest notice, below the warnings of its command; empty if none is shown.", toast,
      kText},
@@ -129,11 +123,11 @@ constexpr Query kSessionRows[]{
     {"camera_tilt", "deg", "Roll of the last frame's view, positive to the right.", camera_tilt, or_none()},
     {"camera_field_of_view", "deg", "Vertical field of view of the last frame.",
      of_frame<&FrameStats::field_of_view_deg>, or_none()},
-    {"camera_target", "m", "Target of the camera.", camera_target, kVector},
-    {"camera_distance", "m", "Distance of the camera from its target.", camera_distance},
-    {"camera_yaw", "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},
-    {"camera_pitch", "deg", "Pitch of the camera above the horizon.", camera_pitch},
-    {"tick", "", "Number of ticks of 1/120 s since the start.", tick},
+    {"camera_target", "m", "Target of the camera.", of_camera<&world::Camera::target>, kVector},
+    {"camera_distance", "m", "Distance of the camera from its target.", of_camera<&world::Camera::distance>},
+    {"camera_yaw", "deg", "Yaw of the camera; 0 looks along -Z.", of_camera<&world::Camera::yaw_deg>},
+    {"camera_pitch", "deg", "Pitch of the camera above the horizon.", of_camera<&world::Camera::pitch_deg>},
+    {"tick", "", "Number of ticks of 1/120 s since the start.", of_session<&edit::Session::tick>},
     {"entities", "", "Number of knots, segments and trains.", entities},
 };
 
@@ -209,9 +203,8 @@ Answer rounding(const QueryContext& c, View) {
   return number(figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps)));
 }
 
-Answer measuring(const QueryContext& c, View) { return yes_no(c.session.measuring.measurement.running); }
-Answer measure_progress(const QueryContext& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
-Answer measure_rows(const QueryContext& c, View) { return number(c.session.measuring.measurement.rows.size()); }
+template <auto step>
+constexpr auto of_measurement = of_session<&edit::Session::measuring, &edit::MeasurementState::measurement, step>;
 
 std::vector<std::string> measured_steps() {
   std::vector<std::string> words;
@@ -243,9 +236,10 @@ constexpr Query kLabRows[]{
      rounding<sim::largest>, or_none()},
     {"seam", "m", "Rounding error of the last vertex before the selected segment's exact end.", rounding<sim::seam>,
      or_none()},
-    {"measuring", "", "on during the measurement of evaluators.", measuring, kSwitch},
-    {"measure.progress", "", "Progress of the measurement, 0 to 1.", measure_progress},
-    {"measure.rows", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
+    {"measuring", "", "on during the measurement of evaluators.", of_measurement<&sim::Measurement::running>, kSwitch},
+    {"measure.progress", "", "Progress of the measurement, 0 to 1.", of_measurement<sim::progress>},
+    {"measure.rows", "", "Number of evaluators measured; 0 before the first measurement.",
+     of_measurement<&sim::Measurement::rows>},
     {"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
      measured<&sim::MeasuredCell::worst_error>, or_none()},
     {"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "edit/commands/set_setting.h"
+#include "query/condition.h"
 #include "query/context.h"
 #include "world/motion.h"
 #include "world/panel_settings.h"
@@ -68,13 +69,6 @@ std::string nearest_path(std::span<const query::Widget> widgets, std::string_vie
   if (!near) return {};
   const auto at = std::find(ends.begin(), ends.end(), *near) - ends.begin();
   return fmt::format("; did you mean {}?", base::quoted_start(paths[static_cast<std::size_t>(at)]));
-}
-
-// Returns the number that a widget shows, without its unit.
-std::optional<double> number_shown(const std::string& text) {
-  for (std::size_t size = text.size(); size > 0; --size)
-    if (const auto number = base::parse_double(std::string_view(text).substr(0, size))) return number;
-  return std::nullopt;
 }
 
 constexpr int kMostScrolls = 80;
@@ -258,7 +252,7 @@ Status UiDriver::drag_to(std::string_view path, double value) {
     if (Status moved = frame({MouseMove{x, y}}); !moved) return moved;
     if (Status again = frame({}); !again) return again;
     const query::Widget* const shown = now(path);
-    const auto number = shown ? number_shown(shown->value) : std::nullopt;
+    const auto number = shown ? query::leading_number(shown->value) : std::nullopt;
     if (!number) break;
     there = *number == value;
     (*number < value ? low : high) = x;

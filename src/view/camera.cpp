@@ -289,17 +289,19 @@ world::Camera frame_entity(const world::Camera& from, const world::Document& doc
                      viewport);
   }
   if (const world::Train* const cart = document.entities.find<world::Train>(entity)) entity = cart->segment;
+  std::span<const world::Entity> segments;
   if (document.entities.find<world::Section>(entity)) {
     const world::SectionRun run = world::run_of(document, entity);
-    curve::Box box = curve::control_box(world::cubic_of(document, document.track.segments[run.first]));
-    for (std::size_t i = run.first + 1; i < run.end(); ++i) {
-      const curve::Box next = curve::control_box(world::cubic_of(document, document.track.segments[i]));
-      box = {glm::min(box.low, next.low), glm::max(box.high, next.high)};
-    }
-    return frame_box(from, box.low - glm::vec3(1), box.high + glm::vec3(1), viewport);
+    segments = std::span(document.track.segments).subspan(run.first, run.count);
+  } else if (document.entities.find<world::Segment>(entity)) {
+    segments = {&entity, 1};
   }
-  if (!document.entities.find<world::Segment>(entity)) return frame_all(from, document, viewport);
-  const curve::Box box = curve::control_box(world::cubic_of(document, entity));
+  if (segments.empty()) return frame_all(from, document, viewport);
+  curve::Box box = curve::control_box(world::cubic_of(document, segments.front()));
+  for (const world::Entity e : segments.subspan(1)) {
+    const curve::Box next = curve::control_box(world::cubic_of(document, e));
+    box = {glm::min(box.low, next.low), glm::max(box.high, next.high)};
+  }
   return frame_box(from, box.low - glm::vec3(1), box.high + glm::vec3(1), viewport);
 }
 

@@ -131,9 +131,7 @@ std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Sett
     return std::nullopt;  // clicks append knots there
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;
-  glm::dvec3 sum(0);
-  for (const world::Entity e : knots) sum += glm::dvec3(world::knot(document, e).position);
-  const glm::vec3 at(sum / static_cast<double>(knots.size()));
+  const glm::vec3 at = world::middle_of(document, knots);
   const double metre = PixelScale(view)(glm::dvec3(at));
   if (!(metre > 1e-6) || !Projector(view)(glm::dvec3(at))) return std::nullopt;
   return Gizmo{at, static_cast<float>(metre)};

@@ -8,7 +8,7 @@
 #include "sim/ground/ground.h"
 #include "sim/plan/element_plan.h"
 #include "sim/shape/rails.h"
-#include "sim/solids/track_mesh.h"
+#include "sim/solids/coaster_form.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_detail.h"
@@ -251,13 +251,9 @@ void add_sections(const world::Document& document, const sim::DerivedTrack& deri
   const float scale = mark_scale(settings, view);
   if (const Entity section = hovered_section(document, settings, hovered); section.valid())
     add_run(derived, world::run_of(document, section), kMaxSectionLines, kHoveredLine, scale, overlay);
-  std::vector<Entity> selected = world::selected_sections(document, settings);
-  if (selected.empty()) return;
-  const auto before = [](Entity a, Entity b) { return a.index < b.index; };
-  std::sort(selected.begin(), selected.end(), before);
-  for (const world::SectionRun& run : world::sections_of(document))
-    if (std::binary_search(selected.begin(), selected.end(), run.section, before))
-      add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
+  const std::vector<world::SectionRun> selected = world::selected_runs(document, settings);
+  for (const world::SectionRun& run : selected)
+    add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
 }
 
 Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& derived,

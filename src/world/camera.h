@@ -12,7 +12,8 @@
 namespace coaster::world {
 
 enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
-inline constexpr base::NameRow kCameraModes[] = {{"orbit"}, {"ride"}, {"chase"}, {"fly"}};
+inline constexpr base::NameRow kCameraModes[] = {
+    {"orbit", "Orbit"}, {"ride", "Ride"}, {"chase", "Chase"}, {"fly", "Fly"}};
 constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraModes; }
 // The projection of the orbit camera. The last three are orthographic along an axis, for any yaw and pitch.
 enum class Projection : std::uint8_t { perspective, front, side, top };

@@ -147,11 +147,6 @@ class Registry {
   const T* find(Entity e) const {
     return pool<T>().find(e);
   }
-  // Calls visit(pool) for each component.
-  template <class Visit>
-  void for_each_pool(Visit visit) const {
-    (visit(pool<Components>()), ...);
-  }
   // Calls visit(column of each registry...) for each column.
   static void for_each_column(auto visit, auto&... registries) {
     visit(registries.generations_...), visit(registries.free_...);

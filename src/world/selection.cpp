@@ -27,8 +27,24 @@ std::vector<Entity> selected_sections(const Document& document, const Settings& 
   return selected_with<Section>(document, settings);
 }
 
+std::vector<SectionRun> selected_runs(const Document& document, const Settings& settings) {
+  std::vector<Entity> selected = selected_sections(document, settings);
+  if (selected.empty()) return {};
+  std::sort(selected.begin(), selected.end());
+  std::vector<SectionRun> runs = sections_of(document);
+  std::erase_if(
+      runs, [&](const SectionRun& run) { return !std::binary_search(selected.begin(), selected.end(), run.section); });
+  return runs;
+}
+
 bool is_selected(const Settings& settings, Entity e) {
   return e == settings.selected || std::find(settings.also.begin(), settings.also.end(), e) != settings.also.end();
+}
+
+glm::vec3 middle_of(const Document& document, const std::vector<Entity>& knots) {
+  glm::dvec3 sum(0);
+  for (const Entity e : knots) sum += glm::dvec3(knot(document, e).position);
+  return glm::vec3(sum / static_cast<double>(knots.size()));
 }
 
 std::vector<Entity> in_track_order(const Document& document, const std::vector<Entity>& chosen) {

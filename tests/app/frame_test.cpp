@@ -81,7 +81,7 @@ TEST_F(Frame, a_scene_alone_shows_the_track_without_any_aid) {
   const view::Viewport whole{0, 0, 320, 240};
   const auto alone = [&] {
     run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
-    draw_scene_alone(*program_, view::view_of(program_->picture.rig.eye, whole), {320, 240});
+    draw_scene_alone(*program_, {320, 240});
     return program_->renderer->read_pixels();
   };
   const view::View view = view::view_of(program_->picture.rig.eye, whole);

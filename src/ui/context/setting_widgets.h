@@ -9,14 +9,12 @@ namespace coaster::ui {
 
 template <auto Member>
 void setting_box(Ui& ui, std::string_view label, std::string_view tooltip) {
-  if (const auto on = checkbox(ui, label, world::value_in<Member>(ui.session().settings), tooltip))
-    ui.emit(edit::Set<Member>{*on});
+  ui.emit_if<edit::Set<Member>>(checkbox(ui, label, world::value_in<Member>(ui.session().settings), tooltip));
 }
 
 template <auto Member>
-void setting_list(Ui& ui, std::string_view label, std::string_view tooltip) {
-  if (const auto to = combo_of(ui, label, world::value_in<Member>(ui.session().settings), tooltip))
-    ui.emit(edit::Set<Member>{*to});
+void setting_list(Ui& ui, std::string_view label, std::string_view tooltip, ComboPlace place = ComboPlace::fitting) {
+  ui.emit_if<edit::Set<Member>>(combo_of(ui, label, world::value_in<Member>(ui.session().settings), tooltip, place));
 }
 
 template <auto Member>

@@ -149,6 +149,11 @@ struct Ui : WidgetFrame {
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));
   }
+  // Emits the command with what a widget returned, if the user changed it.
+  template <class C, class T>
+  void emit_if(const std::optional<T>& changed) {
+    if (changed) emit(C{*changed});
+  }
   // Runs a command that replaces the track, or first asks about unsaved changes.
   void replace(edit::Command command) { want = {ScreenRequest::Kind::replace, std::move(command)}; }
   edit::Command new_track() const;  // an empty one, on the land that the user wants for new tracks

@@ -69,7 +69,6 @@ bool text_has_keyboard() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   return g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID;
 }
-bool list_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 
 view::View make_view(const UiState& state, const view::Viewport& scene) {
   if (state.rig) return view::view_of(state.rig->eye, scene, state.content_scale);
@@ -367,7 +366,7 @@ double Host::still_for(double seconds) const {
 
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);
-  return text_has_keyboard() || parts_->palette.open || list_open();
+  return text_has_keyboard() || parts_->palette.open || open_popups() > 0;
 }
 
 }  // namespace coaster::ui

@@ -233,7 +233,7 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   show_keys();
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
   const int behind = popups_behind_lists();
-  listing_ = behind < ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  listing_ = behind < open_popups();
   set_list_keys((listing_ || page_of_choices) && !text_has_keyboard);
   // All of them: a menu inside another one would open again under the mouse.
   if (listing_ && !text_has_keyboard && pressed(events, Key::escape)) ImGui::ClosePopupToLevel(behind, true);

@@ -70,10 +70,9 @@ void error_plot(Ui& ui, const Probe& probe, const ErrorStudy& one, const ErrorSt
 
 void side(Ui& ui, const ErrorStudy& one) {
   const world::Settings& settings = ui.session().settings;
-  const auto steps =
+  ui.emit_if<edit::Set<&world::Evaluation::steps>>(
       slider(ui, "Steps", settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
-             "Steps per segment, 1 to 4096. With forward differences, more steps mean more rounding error.");
-  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+             "Steps per segment, 1 to 4096. With forward differences, more steps mean more rounding error."));
   std::vector<Choice> choices = choices_of<EvaluatorId>();
   choices.insert(choices.begin(), {"nothing", "No comparison."});
   if (const auto to = combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1,
@@ -87,9 +86,9 @@ void side(Ui& ui, const ErrorStudy& one) {
                              .low = 1,
                              .high = 1e7,
                              .largest = 1e15};
-  if (const auto to = number(ui, "Magnification###Magnified", magnification,
-                             "Magnification of the error in the rounding layer, 1 to 10,000,000."))
-    ui.emit(edit::Set<&world::LabView::magnification>{*to});
+  ui.emit_if<edit::Set<&world::LabView::magnification>>(
+      number(ui, "Magnification###Magnified", magnification,
+             "Magnification of the error in the rounding layer, 1 to 10,000,000."));
   const base::ShownUnit unit = base::shown_in(ui.units, "mm");
   const auto row = [&](std::string_view label, double millimetres, std::string_view tooltip) {
     read_out(ui, label, significant(millimetres * unit.factor, 3), unit.name, tooltip);

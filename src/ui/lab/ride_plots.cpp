@@ -247,16 +247,17 @@ std::optional<double> RidePlots::at_place(double distance) const {
   return time[static_cast<std::size_t>(at - place.begin())];
 }
 
-// Returns the seat's position at an x of the axis, m along the track.
-double RidePlots::place_at(double x) const {
-  if (!over_time_) return x;
+// Returns the index of the first value of the axis that is not before x, or of its last one.
+std::size_t RidePlots::index_at(double x) const {
   const auto at = std::lower_bound(axis().begin(), axis().end(), x);
-  return study_->curves.place[std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1)];
+  return std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1);
 }
 
+// Returns the seat's position at an x of the axis, m along the track.
+double RidePlots::place_at(double x) const { return over_time_ ? study_->curves.place[index_at(x)] : x; }
+
 std::string RidePlots::shown_at(const Ui& ui, RideValue value, double x) const {
-  const auto at = std::lower_bound(axis().begin(), axis().end(), x);
-  const std::size_t i = std::min(static_cast<std::size_t>(at - axis().begin()), axis().size() - 1);
+  const std::size_t i = index_at(x);
   const auto v = static_cast<std::size_t>(value);
   const std::vector<double>&least = study_->curves.least[v], &most = study_->curves.most[v];
   const int decimals = std::abs(least[i]) < 100 ? 2 : 1;

@@ -46,6 +46,7 @@ class RidePlots {
  private:
   const std::vector<double>& axis() const { return over_time_ ? study_->curves.time : study_->curves.place; }
   std::optional<double> at_place(double distance) const;
+  std::size_t index_at(double x) const;
   double place_at(double x) const;
   std::string shown_at(const Ui& ui, sim::RideValue value, double x) const;
   Series curve(sim::RideValue value, std::string label) const;

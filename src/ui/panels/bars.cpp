@@ -3,15 +3,14 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "edit/commands/commands_ride.h"
-#include "edit/commands/set_setting.h"
 #include "ui/context/query_widgets.h"
+#include "ui/context/setting_widgets.h"
 #include "ui/panels/panels.h"
 #include "ui/tools/camera_controls.h"
 #include "ui/tools/show_places.h"
@@ -123,9 +122,7 @@ void values(StatusBarRow& bar) {
     const float value_width = std::max(text_size(part.value).x, std::floor(part.cell * bar.ui.scale));
     const float end = bar.x + text_size(part.label).x + gap + value_width;
     if (end > bar.right) return;
-    bar.draw(part.label, palette().dim, bar.x);
-    bar.draw(part.value, palette().text, end - text_size(part.value).x);
-    bar.place(part.label, part.tooltip, part.value, bar.x, end);
+    labelled_value(bar.ui, part.label, part.value, part.tooltip, {bar.x, bar.top}, {end, bar.bottom});
     bar.x = end + bar.between;
   }
 }
@@ -178,14 +175,9 @@ constexpr std::string_view kVertical = "Vertical g###g up";
 
 // Shows a value that does not move when its digits change.
 void value(RideRow& row, std::string_view label, std::string_view number, float cell, std::string_view tooltip) {
-  const float gap = row.scaled(6), words = text_size(shown(label)).x, width = words + gap + row.scaled(cell);
-  const float left = row.x, text = std::floor(row.y + (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight()) * 0.5f);
+  const float left = row.x, width = text_size(shown(label)).x + row.scaled(6) + row.scaled(cell);
   row.place(width);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, {left, text}, palette().dim, shown(label));
-  draw_text(list, {left + width - text_size(number).x, text}, palette().text, number);
-  note(row.ui, label, "label", tooltip, true, std::string(number), {left, row.y},
-       {left + width, row.y + ImGui::GetFrameHeight()});
+  labelled_value(row.ui, label, number, tooltip, {left, row.y}, {left + width, row.y + ImGui::GetFrameHeight()});
 }
 
 // Returns the seconds from the start of the simulated ride to the train's position in it, and of the whole ride.
@@ -239,16 +231,9 @@ void list_in(RideRow& row, const char* id, float width, Build build) {
 }
 
 void camera_list(Ui& ui) {
-  std::vector<Choice> choices;
-  for (const base::NameRow& row : rows_of(world::CameraMode{})) {
-    std::string label(row.name);
-    label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
-    choices.push_back({label, std::string(row.help)});
-  }
-  const auto now = static_cast<int>(ui.session().settings.camera_mode);
-  if (const auto to =
-          combo(ui, "Camera", choices, now, with_keys(ui.keys, "The camera.", "Next camera"), ComboPlace::in_bar))
-    choose_camera(ui, static_cast<world::CameraMode>(*to));
+  if (const auto to = combo_of(ui, "Camera", ui.session().settings.camera_mode,
+                               with_keys(ui.keys, "The camera.", "Next camera"), ComboPlace::in_bar))
+    choose_camera(ui, *to);
 }
 
 constexpr float kSeatWidth = 164, kCameraWidth = 148;  // design px, with their labels
@@ -261,10 +246,8 @@ void lists(RideRow& row) {
               seat = std::min(row.scaled(kSeatWidth), std::floor(kSeatShare * room));
   const float camera = std::min(row.scaled(kCameraWidth), std::floor(room - seat));
   list_in(row, "##seat", seat, [&] {
-    const world::Seat now = ui.session().settings.lab->seat;
-    if (const auto to =
-            combo_of(ui, "Seat", now, "Seat whose ride the force graph and the laboratory show.", ComboPlace::in_bar))
-      ui.emit(edit::Set<&world::LabView::seat>{*to});
+    setting_list<&world::LabView::seat>(ui, "Seat", "Seat whose ride the force graph and the laboratory show.",
+                                        ComboPlace::in_bar);
   });
   list_in(row, "##camera", camera, [&] { camera_list(ui); });
 }

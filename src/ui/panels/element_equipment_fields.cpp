@@ -25,14 +25,8 @@ bool side_field(Ui& ui, world::Element& element) {
 
 // Returns the value that the user selected or typed.
 std::optional<double> parameter_field(Ui& ui, const world::ElementParameter& p, double value) {
-  if (!p.names.empty()) {
-    std::vector<Choice> choices;
-    for (const base::NameRow& choice : p.names)
-      choices.push_back({std::string(choice.label), std::string(choice.help)});
-    const auto to = combo(ui, p.label, choices, static_cast<int>(value), p.help);
-    return to ? std::optional<double>(*to) : std::nullopt;
-  }
-  return number(ui, p.label, parameter_number(p, value), p.help);
+  if (p.names.empty()) return number(ui, p.label, parameter_number(p, value), p.help);
+  return combo(ui, p.label, choices_in(p.names), static_cast<int>(value), p.help);
 }
 
 using world::Equipment;

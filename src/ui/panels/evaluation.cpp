@@ -52,13 +52,7 @@ void methods_of(Ui& ui, EvaluatorGroup group, std::string_view title, std::strin
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   steps_slider(ui);
-  const Number budget{.value = static_cast<double>(settings.evaluation->vertex_budget),
-                      .decimals = 0,
-                      .step = 10'000,
-                      .low = 1'000,
-                      .high = 1e9,
-                      .largest = 1e15,
-                      .whole = true};
+  const Number budget = whole_number(static_cast<double>(settings.evaluation->vertex_budget), 1'000, 1e9, 1e15, 10'000);
   if (const auto to = number(ui, "Vertex budget", budget,
                              "Largest number of vertices of all polylines. Commands that need more are rejected."))
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
@@ -91,10 +85,9 @@ void evaluator_choice(Ui& ui) {
 }
 
 void steps_slider(Ui& ui) {
-  const auto steps =
+  ui.emit_if<edit::Set<&world::Evaluation::steps>>(
       slider(ui, "Steps per segment", ui.session().settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
-             "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
-  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+             "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type."));
 }
 
 void evaluation_panel(Ui& ui) {
@@ -102,9 +95,9 @@ void evaluation_panel(Ui& ui) {
   resolution(ui);
   setting_list<&world::Evaluation::arc_length>(
       ui, "Arc length", "Method of the displayed length. The ride always uses adaptive Gauss-Legendre.");
-  if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.lab->layers.has(world::Layer::polyline),
-                               "Draw the evaluated polyline over the track."))
-    ui.emit(edit::SetPolyline{*on});
+  ui.emit_if<edit::SetPolyline>(checkbox(ui, "Show polyline",
+                                         ui.session().settings.lab->layers.has(world::Layer::polyline),
+                                         "Draw the evaluated polyline over the track."));
   chord_error(ui);
 
   const query::FrameStats& stats = ui.state.stats;

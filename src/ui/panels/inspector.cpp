@@ -191,13 +191,8 @@ void segment_inspector(Ui& ui, Entity entity, EntityName name) {
   if (const auto to = number(ui, "Position t###Place", place,
                              "The selected position as parameter t, 0 to 1. Insert point splits the segment there."))
     ui.emit(edit::Select{{name}, *to});
-  const Number turns{.value = static_cast<double>(world::segment(session.document, entity).turns),
-                     .decimals = 0,
-                     .step = 0.05,
-                     .low = -world::kMaxTurns,
-                     .high = world::kMaxTurns,
-                     .largest = 1e9,
-                     .whole = true};
+  const Number turns =
+      whole_number(world::segment(session.document, entity).turns, -world::kMaxTurns, world::kMaxTurns);
   if (const auto to =
           number(ui, "Turns", turns, "Full turns of roll within the segment (barrel rolls), added to the least twist."))
     ui.emit(edit::SetTurns{{name}, static_cast<int>(*to)});

@@ -14,13 +14,8 @@ namespace {
 using world::EditingAids;
 
 void seed_row(Ui& ui, const world::Park& park) {
-  const Number seed{.value = static_cast<double>(park.seed),
-                    .decimals = 0,
-                    .step = 0.1,
-                    .low = 0,
-                    .high = 4294967295.0,
-                    .largest = 4294967295.0,
-                    .whole = true};
+  constexpr double kMost = 4294967295.0;
+  const Number seed = whole_number(park.seed, 0, kMost, kMost, 0.1);
   if (const auto to = number(ui, "Seed", seed, "Another number, other hills. Strokes of brushes stay."))
     ui.emit(edit::SetParkSeed{static_cast<std::int64_t>(*to)});
   if (wide_button(ui, "Roll the die", "Try another seed.")) ui.emit(edit::SetParkSeed{random_seed(ui)});
@@ -33,8 +28,8 @@ void water_rows(Ui& ui, const world::Park& park) {
   if (const auto on = checkbox(ui, "Water", wet, "Fill the land with water up to a level."))
     ui.emit(edit::SetParkWater{{!*on ? world::kNoWater : usual == world::kNoWater ? kUsual : usual}});
   if (!wet) return;
-  if (const auto to = real_slider(ui, "Level", park.water, kLow, kHigh, 1, "Height of lakes and seas.", "m"))
-    ui.emit(edit::SetParkWater{{*to}});
+  ui.emit_if<edit::SetParkWater>(
+      real_slider(ui, "Level", park.water, kLow, kHigh, 1, "Height of lakes and seas.", "m"));
 }
 
 void brushes(Ui& ui, const world::Park& park) {
@@ -58,14 +53,12 @@ void section_earthwork(Ui& ui, const SelectedSections& chosen) {
 void park_panel(Ui& ui) {
   const world::Park& park = ui.session().document.park;
   const LockedWidgets locked(ui, edit::SetLand::kInfo.name);
-  if (const auto to = combo_of(ui, "Land", park.land, "The land around the coaster. Plain: no park."))
-    ui.emit(edit::SetLand{*to});
+  ui.emit_if<edit::SetLand>(combo_of(ui, "Land", park.land, "The land around the coaster. Plain: no park."));
   if (park.plain()) return;
   seed_row(ui, park);
-  if (const auto to = real_slider(ui, "Relief", park.relief, 0, world::kMaxRelief, 2, "Factor of the land's heights."))
-    ui.emit(edit::SetParkRelief{*to});
-  if (const auto to = real_slider(ui, "Woods", park.woods, 0, 1, 2, "How much of the land is wooded."))
-    ui.emit(edit::SetParkWoods{*to});
+  ui.emit_if<edit::SetParkRelief>(
+      real_slider(ui, "Relief", park.relief, 0, world::kMaxRelief, 2, "Factor of the land's heights."));
+  ui.emit_if<edit::SetParkWoods>(real_slider(ui, "Woods", park.woods, 0, 1, 2, "How much of the land is wooded."));
   water_rows(ui, park);
   brushes(ui, park);
 }

@@ -21,7 +21,7 @@
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
-#include "world/selection.h"
+#include "view/marks.h"
 
 namespace coaster::ui {
 namespace {
@@ -37,15 +37,9 @@ std::vector<world::Entity> chosen_segments(const edit::Session& session) {
   if (!document.entities.find<world::Knot>(selected)) return {};
   std::vector<world::Entity> between;
   if (!session.settings.also.empty()) {
-    std::vector<bool> chosen;  // by index
-    for (const world::Entity e : world::selected_knots(document, session.settings)) {
-      if (e.index >= chosen.size()) chosen.resize(e.index + std::size_t{1});
-      chosen[e.index] = true;
-    }
-    const auto is_chosen = [&](world::Entity knot) { return knot.index < chosen.size() && chosen[knot.index]; };
+    const view::SelectionLookup chosen(session.settings);
     for (const world::Entity e : document.track.segments)
-      if (const world::Segment& s = world::segment(document, e); is_chosen(s.from) && is_chosen(s.to))
-        between.push_back(e);
+      if (const world::Segment& s = world::segment(document, e); chosen(s.from) && chosen(s.to)) between.push_back(e);
   }
   if (!between.empty()) return between;
   const world::Entity after = world::neighbours(document, selected).after;
@@ -73,13 +67,8 @@ void train(Ui& ui) {
   const world::Train* const design = session.document.entities.find<world::Train>(cart);
   if (!design) return;
   const world::EntityName name = world::name_of(session.document, cart);
-  const Number cars{.value = static_cast<double>(design->cars),
-                    .decimals = 0,
-                    .low = 1,
-                    .high = world::kMaxCars,
-                    .largest = 1e9,
-                    .whole = true};
-  if (const auto to = number(ui, "Cars", cars, "Number of cars. They move as one."))
+  if (const auto to =
+          number(ui, "Cars", whole_number(design->cars, 1, world::kMaxCars), "Number of cars. They move as one."))
     ui.emit(edit::SetTrain{{name}, static_cast<int>(*to)});
   const auto field = [&](const char* label, const Number& value, float edit::SetTrain::*part, const char* tooltip) {
     const auto to = number(ui, label, value, tooltip);
@@ -106,13 +95,9 @@ void train(Ui& ui) {
 }
 
 void loss_set(Ui& ui) {
-  std::vector<Choice> sets = choices_of<world::LossSet>();
-  const auto now = world::loss_set_of(ui.session().document.resistance);
-  const int shown = now ? static_cast<int>(*now) : static_cast<int>(sets.size());
-  if (!now) sets.push_back({"Own", "The numbers below."});
   const LockedWidgets locked(ui, edit::SetLossSet::kInfo.name);
-  if (const auto to = combo(ui, "Losses", sets, shown, "Sets rolling friction and drag together."))
-    ui.emit(edit::SetLossSet{static_cast<world::LossSet>(*to)});
+  ui.emit_if<edit::SetLossSet>(combo_of(ui, "Losses", world::loss_set_of(ui.session().document.resistance),
+                                        {"Own", "The numbers below."}, "Sets rolling friction and drag together."));
 }
 
 void track_curve(Ui& ui) {
@@ -152,13 +137,11 @@ void losses(Ui& ui) {
                          .step = 0.01,
                          .low = -world::kMaxHeartline,
                          .high = world::kMaxHeartline};
-  if (const auto to = number(ui, "Heartline", heartline,
-                             "Height of the riders' hearts above the rails. Forces are computed there."))
-    ui.emit(edit::SetHeartline{*to});
+  ui.emit_if<edit::SetHeartline>(
+      number(ui, "Heartline", heartline, "Height of the riders' hearts above the rails. Forces are computed there."));
   track_curve(ui);
-  if (const auto on = checkbox(ui, "Rollback ends the ride", document.rollback_fails,
-                               "The ride fails when a train rolls back 2 m."))
-    ui.emit(edit::SetRollbackFails{*on});
+  ui.emit_if<edit::SetRollbackFails>(
+      checkbox(ui, "Rollback ends the ride", document.rollback_fails, "The ride fails when a train rolls back 2 m."));
 }
 
 void controls(Ui& ui) {

@@ -29,14 +29,7 @@ using world::Section;
 using world::SectionRun;
 
 SelectedSections chosen_sections(const edit::Session& session) {
-  std::vector<Entity> selected = world::selected_sections(session.document, session.settings);
-  std::sort(selected.begin(), selected.end(), [](Entity a, Entity b) { return a.index < b.index; });
-  SelectedSections chosen{session.document, session.settings.selected, {}};
-  for (const SectionRun& run : world::sections_of(session.document))
-    if (std::binary_search(selected.begin(), selected.end(), run.section,
-                           [](Entity a, Entity b) { return a.index < b.index; }))
-      chosen.runs.push_back(run);
-  return chosen;
+  return {session.document, session.settings.selected, world::selected_runs(session.document, session.settings)};
 }
 
 std::optional<double> planned_value(const Section& section, std::string_view parameter) {

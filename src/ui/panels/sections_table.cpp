@@ -108,9 +108,7 @@ void row_cells(Ui& ui, const world::SectionRun& run, std::span<const SectionColu
     note(ui, label, "cell", refusal.empty() ? row.help : refusal, true,
          fixed(*planned_value(section, parameter_of(columns[i])), 2), low, high);
     // The press makes the row the active item.
-    const bool over =
-        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
-    if (over && ImGui::IsMouseDoubleClicked(0)) ui.inputs.cell = EditedCell{name, columns[i]};
+    if (mouse_over(low, high) && ImGui::IsMouseDoubleClicked(0)) ui.inputs.cell = EditedCell{name, columns[i]};
   }
 }
 

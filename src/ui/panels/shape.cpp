@@ -37,16 +37,12 @@ edit::Knots shaped_knots(const edit::Session& session) {
 }
 
 glm::vec3 middle_of(const edit::Session& session, const edit::Knots& knots) {
-  glm::dvec3 sum(0);
-  double count = 0;
-  for (const world::Entity e : session.document.track.knots) {
-    const world::EntityName name = world::name_of(session.document, e);
-    if (knots.which == edit::Knots::Which::named &&
-        std::find(knots.names.begin(), knots.names.end(), name) == knots.names.end())
-      continue;
-    sum += glm::dvec3(world::knot(session.document, e).position), ++count;
-  }
-  return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
+  std::vector<world::Entity> entities = session.document.track.knots;
+  if (knots.which == edit::Knots::Which::named)
+    std::erase_if(entities, [&](world::Entity e) {
+      return std::ranges::count(knots.names, world::name_of(session.document, e)) == 0;
+    });
+  return entities.empty() ? glm::vec3(0) : world::middle_of(session.document, entities);
 }
 
 // Buttons for commands that a challenge may lock.
@@ -94,18 +90,7 @@ void whole_track(Ui& ui) {
     ui.emit(edit::CloseExactly{});
 }
 
-struct RelationRow {
-  std::string_view sign, label;
-};
-constexpr std::array kRelations{RelationRow{"==", "Equal to"}, RelationRow{"<=", "At most"},
-                                RelationRow{">=", "At least"}};
-
-template <class Rows, class Text>
-std::vector<Choice> choices(const Rows& rows, Text text) {
-  std::vector<Choice> all;
-  for (const auto& row : rows) all.push_back(text(row));
-  return all;
-}
+constexpr base::NameRow kRelations[] = {{"==", "Equal to"}, {"<=", "At most"}, {">=", "At least"}};
 
 struct SeekNumberChoices {
   std::vector<Choice> choices;
@@ -160,16 +145,16 @@ edit::KnotsOrSections selected(const edit::Session& session) {
 
 void choose_goal(Ui& ui) {
   GoalInputs& in = ui.inputs.goal;
-  const auto labels = choices(query::goals(), [](const query::GoalRow& row) {
-    return Choice{std::string(row.label), std::string(query::find_query(row.query)->text)};
-  });
+  std::vector<Choice> labels;
+  for (const query::GoalRow& row : query::goals())
+    labels.push_back({std::string(row.label), std::string(query::find_query(row.query)->text)});
   if (const auto to =
           combo(ui, "Make", labels, in.goal, "The value to reach, such as the lap time.", ComboPlace::beside))
     in.goal = *to, in.value.reset();
   const query::GoalRow& row = query::goals()[static_cast<std::size_t>(in.goal)];
   read_query(ui, "Now", row.query, query::find_query(row.query)->text, {.decimals = row.decimals});
-  const auto relations = choices(kRelations, [](const RelationRow& r) { return Choice{std::string(r.label), ""}; });
-  if (const auto to = combo(ui, "Relation", relations, in.relation, "How the value compares with the number."))
+  if (const auto to =
+          combo(ui, "Relation", choices_in(kRelations), in.relation, "How the value compares with the number."))
     in.relation = *to;
   if (!in.value) in.value = number_of(ui, row.query).value_or(0);
   const std::string unit(query::find_query(row.query)->unit);
@@ -241,7 +226,7 @@ void goal_panel(Ui& ui) {
     return;
   edit::SeekGoal seek;
   seek.goal.text = fmt::format("{} {} {}", query::goals()[static_cast<std::size_t>(in.goal)].query,
-                               kRelations[static_cast<std::size_t>(in.relation)].sign, base::to_text(*in.value));
+                               kRelations[static_cast<std::size_t>(in.relation)].name, base::to_text(*in.value));
   seek.by.text = numbers.words[static_cast<std::size_t>(in.by)];
   seek.of = selected(session), seek.together = in.together;
   ui.emit(seek);

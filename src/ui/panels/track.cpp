@@ -124,9 +124,9 @@ void building(Ui& ui) {
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   const std::string help =
       fmt::format("Click on the ground to append a knot to an open track. {} ends it.", ui.keys.shown("Cancel"));
-  if (const auto on = checkbox(ui, "Append points", session.settings.aids->append_mode,
-                               with_keys(ui.keys, help, "Append points"), append_mode_switches(session)))
-    ui.emit(edit::Set<&world::EditingAids::append_mode>{*on});
+  ui.emit_if<edit::Set<&world::EditingAids::append_mode>>(
+      checkbox(ui, "Append points", session.settings.aids->append_mode, with_keys(ui.keys, help, "Append points"),
+               append_mode_switches(session)));
 
   ButtonRows pressed{ui, 2, "Insert point"};
   if (pressed("Add curve",
@@ -155,14 +155,13 @@ void start(Ui& ui) {
                      .low = -world::kMaxSpeed,
                      .high = world::kMaxSpeed,
                      .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", speed, "Start speed of the trains. Negative: backwards."))
-    ui.emit(edit::SetStartSpeed{*to});
+  ui.emit_if<edit::SetStartSpeed>(number(ui, "Start speed", speed, "Start speed of the trains. Negative: backwards."));
   const Number datum{.value = document.datum,
                      .unit = "m",
                      .low = -world::kMaxCoordinate,
                      .high = world::kMaxCoordinate,
                      .largest = 1e300};
-  if (const auto to = number(ui, "Datum", datum, "Height of zero potential energy.")) ui.emit(edit::SetDatum{*to});
+  ui.emit_if<edit::SetDatum>(number(ui, "Datum", datum, "Height of zero potential energy."));
 }
 
 void file(Ui& ui) {
@@ -222,13 +221,9 @@ struct Painting {
 };
 
 void palette_box(Ui& ui, const Painting& painting) {
-  std::vector<Choice> choices = choices_of<world::Palette>();
-  const auto now = world::palette_of(painting.paint);
-  if (!now) choices.push_back({"Own mix", "The colours below."});
-  const int shown = now ? static_cast<int>(*now) : static_cast<int>(choices.size()) - 1;
-  if (const auto to = combo(ui, "Palette", choices, shown, painting.tooltip))
-    if (*to < static_cast<int>(base::count_of<world::Palette>()))
-      ui.emit(painting.all(static_cast<world::Palette>(*to)));
+  if (const auto to = combo_of(ui, "Palette", world::palette_of(painting.paint), {"Own mix", "The colours below."},
+                               painting.tooltip))
+    ui.emit(painting.all(*to));
 }
 
 void paint_fields(Ui& ui, const Painting& painting, bool trains) {
@@ -309,9 +304,8 @@ void coaster_panel(Ui& ui) {
   const world::Document& document = ui.session().document;
   {
     const LockedWidgets locked(ui, edit::SetKind::kInfo.name);
-    if (const auto to =
-            combo_of(ui, "Kind", document.kind, "What track, supports and trains look like, and the room they need."))
-      ui.emit(edit::SetKind{*to});
+    ui.emit_if<edit::SetKind>(
+        combo_of(ui, "Kind", document.kind, "What track, supports and trains look like, and the room they need."));
   }
   const Painting painting{document.paint, base::row_of(document.kind).paint,
                           "Colours of track, supports and trains. Usual: those of the kind.",

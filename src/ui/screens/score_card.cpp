@@ -36,11 +36,8 @@ struct CardRow {
     const float width = text_size(label).x + std::floor(6 * ui.scale) + text_size(shown).x;
     place(width);
     const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + ImGui::GetTextLineHeight());
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_text(list, low, palette().dim, label);
-    draw_text(list, {high.x - text_size(shown).x, low.y}, palette().text, shown);
     ImGui::Dummy(sized({width, high.y - low.y}));
-    note(ui, label, "label", tooltip, true, shown, low, high);
+    labelled_value(ui, label, shown, tooltip, low, high);
   }
   bool button(std::string_view label, std::string_view tooltip) {
     place(text_size(shown(label)).x + 2 * ImGui::GetStyle().FramePadding.x);

@@ -11,7 +11,6 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/tools/show_places.h"
-#include "world/aid_settings.h"
 #include "world/camera_feel.h"
 #include "world/sections.h"
 
@@ -30,10 +29,10 @@ world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels) {
   // Metres that a pixel covers at the target, so that the target stays under the cursor.
   const float metres = view::metres_per_pixel(view, camera.distance);
-  const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
-      up(view.view[0][1], view.view[1][1], view.view[2][1]);
   const glm::vec3 limit(world::kMaxCoordinate);
-  camera.target = glm::clamp(camera.target - right * (pixels.x * metres) + up * (pixels.y * metres), -limit, limit);
+  camera.target =
+      glm::clamp(camera.target - view::right_of(view) * (pixels.x * metres) + view::top_of(view) * (pixels.y * metres),
+                 -limit, limit);
   return camera;
 }
 

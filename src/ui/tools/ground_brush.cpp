@@ -22,54 +22,47 @@ using world::EditingAids;
 
 constexpr double kBetweenDabs = 0.05;  // s
 
-// Returns where the mouse's ray meets the ground, m; nothing over the sky.
-std::optional<glm::dvec3> under_mouse(const sim::Ground& ground, const view::View& view, glm::vec2 mouse) {
+// Returns where the mouse's ray meets the ground, m, (x, z); nothing over the sky.
+std::optional<glm::vec2> under_mouse(const sim::Ground& ground, const view::View& view) {
   constexpr double kFarthest = 5000, kBehind = 20'000;  // m; a line of an orthographic view begins that far behind
-  const view::Ray ray = view::ray_through(view, mouse);
+  const view::Ray ray = view::ray_through(view, mouse_position());
   const glm::dvec3 along(ray.direction), from = glm::dvec3(ray.origin) - (ray.endless ? kBehind : 0) * along;
   const auto distance = ground.meet(from, along, ray.endless ? 2 * kBehind : kFarthest);
-  return distance ? std::optional(from + *distance * along) : std::nullopt;
+  if (!distance) return std::nullopt;
+  return glm::vec2(from.x + *distance * along.x, from.z + *distance * along.z);
 }
 
-// Draws a line on the ground through places (x, z), m.
-class GroundLine {
- public:
-  GroundLine(const sim::Ground& ground, const view::View& view, float width)
-      : ground_(ground), view_(view), width_(width) {}
-  void to(glm::dvec2 place) {
-    constexpr double kAbove = 0.15;  // m
-    const double height = ground_.surface(place.x, place.y) + kAbove;
-    const auto at = view::project(view_, glm::vec3(place.x, height, place.y));
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    if (last_ && at) {
-      list.AddLine({last_->x, last_->y}, {at->x, at->y}, packed(palette().background, 0.6f), width_ + 2);
-      list.AddLine({last_->x, last_->y}, {at->x, at->y}, packed(palette().accent, 1), width_);
+// Draws a line on the ground through the places (x, z) at(0) to at(steps), m.
+template <class At>
+void draw_line(const Ui& ui, const view::View& view, int steps, At at) {
+  constexpr double kAbove = 0.15;  // m
+  const float width = 2 * ui.scale;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  std::optional<glm::vec3> before;
+  for (int i = 0; i <= steps; ++i) {
+    const glm::dvec2 place = at(i);
+    const double height = ui.find.ground().surface(place.x, place.y) + kAbove;
+    const auto next = view::project(view, glm::vec3(place.x, height, place.y));
+    if (before && next) {
+      list.AddLine({before->x, before->y}, {next->x, next->y}, packed(palette().background, 0.6f), width + 2);
+      list.AddLine({before->x, before->y}, {next->x, next->y}, packed(palette().accent, 1), width);
     }
-    last_ = at;
+    before = next;
   }
-
- private:
-  const sim::Ground& ground_;
-  const view::View& view_;
-  float width_;
-  std::optional<glm::vec3> last_;
-};
+}
 
 void draw_ring(const Ui& ui, const view::View& view, glm::dvec2 middle, double radius) {
   constexpr int kSides = 72;
-  GroundLine line(ui.find.ground(), view, 2 * ui.scale);
-  for (int i = 0; i <= kSides; ++i) {
+  draw_line(ui, view, kSides, [&](int i) {
     const double angle = 2 * base::kPi * (i % kSides) / kSides;
-    line.to(middle + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
-  }
+    return middle + radius * glm::dvec2(std::cos(angle), std::sin(angle));
+  });
 }
 
 void draw_way(const Ui& ui, const view::View& view, glm::dvec2 from, glm::dvec2 to) {
   constexpr int kSteps = 48;
-  GroundLine line(ui.find.ground(), view, 2 * ui.scale);
-  for (int i = 0; i <= kSteps; ++i) line.to(from + (to - from) * (i / double{kSteps}));
+  draw_line(ui, view, kSteps, [&](int i) { return from + (to - from) * (i / double{kSteps}); });
 }
-
 }  // namespace
 
 bool GroundBrush::chosen(const edit::Session& session) {
@@ -90,10 +83,7 @@ void GroundBrush::update(Ui& ui, const view::View& view, bool over) {
         std::clamp(wish, static_cast<float>(world::kLeastBrush), static_cast<float>(world::kLargestBrush))});
   }
   std::optional<glm::vec2> at;
-  if (over || stroke_) {
-    const glm::vec2 mouse = mouse_position();
-    if (const auto hit = under_mouse(ui.find.ground(), view, mouse)) at = glm::vec2(hit->x, hit->z);
-  }
+  if (over || stroke_) at = under_mouse(ui.find.ground(), view);
   if (over && at && !stroke_ && io.MouseClicked[ImGuiMouseButton_Left] && !io.KeyAlt) press(ui, *at);
   if (stroke_ && at) paint(ui, *at);
   if (at) draw_ring(ui, view, *at, radius);

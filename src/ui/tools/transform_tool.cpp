@@ -174,9 +174,7 @@ void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std
   length_ = base::shown_in(ui.units, "m");
   kind_ = kind, constraint_ = constraint, button_ = button;
   knots_ = edit::Knots(names_of(session.document, knots));
-  glm::dvec3 sum(0);
-  for (const world::Entity e : knots) sum += glm::dvec3(world::knot(session.document, e).position);
-  pivot_ = glm::vec3(sum / static_cast<double>(knots.size()));
+  pivot_ = world::middle_of(session.document, knots);
   active_start_ = world::knot(session.document, knots.back()).position;
   start_ = last_ = mouse_position();
 }

@@ -107,8 +107,7 @@ std::optional<double> in_metric(std::optional<double> shown, const base::ShownUn
 // of a click.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool over =
-      ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
+  const bool over = mouse_over(low, high);
   if (over && io.MouseClicked[0] && (io.KeyCtrl || io.MouseDoubleClicked[0])) return true;
   return plain_click && over && io.MouseReleased[0] && ImGui::GetActiveID() == id &&
          io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold;
@@ -268,15 +267,9 @@ std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, doubl
 
 std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip) {
-  const Number n{.value = static_cast<double>(value),
-                 .decimals = 0,
-                 .low = static_cast<double>(low),
-                 .high = static_cast<double>(high),
-                 .largest = kLargestSlid,
-                 .whole = true};
-  const auto to = slide(ui, label, n, tooltip, logarithmic);
-  const auto whole = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
-  return whole != value ? whole : std::nullopt;
+  const auto to = slide(ui, label, whole_number(value, low, high, kLargestSlid), tooltip, logarithmic);
+  const auto rounded = to ? std::optional(static_cast<int>(std::lround(*to))) : std::nullopt;
+  return rounded != value ? rounded : std::nullopt;
 }
 
 std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,

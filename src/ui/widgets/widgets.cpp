@@ -141,16 +141,17 @@ float sized(float length) { return length >= 1 ? std::min(length, 32'768.0f) : 1
 ImVec2 sized(ImVec2 size) { return {sized(size.x), sized(size.y)}; }
 
 glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+bool mouse_over(ImVec2 low, ImVec2 high) {
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+         ImRect(low, high).Contains(ImGui::GetIO().MousePos);
+}
 
 void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
   const std::string path = label.empty() ? ui.panel : fmt::format("{}/{}", ui.panel, label);
   high = {std::max(low.x, high.x), std::max(low.y, high.y)};
   if (!ui.locked.empty()) tooltip = ui.locked, enabled = false;
-  // Also while its own button is held down.
-  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
-                    ImRect(low, high).Contains(ImGui::GetIO().MousePos);
-  if (over && !tooltip.empty()) {
+  if (mouse_over(low, high) && !tooltip.empty()) {
     ui.rest.next = path;
     if (ui.rest.path == path && ui.rest.seconds > kTooltipRest && !ImGui::IsAnyMouseDown())
       show_tooltip(in_units(ui, tooltip), ui.scale);
@@ -210,6 +211,15 @@ void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view
 
 ImVec2 small_size(std::string_view text) {
   return small_font()->CalcTextSizeA(small_pixels(), 1e9f, 0, text.data(), text.data() + text.size());
+}
+
+void labelled_value(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view tooltip,
+                    ImVec2 low, ImVec2 high) {
+  const float top = std::floor(low.y + (high.y - low.y - ImGui::GetTextLineHeight()) * 0.5f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, {low.x, top}, palette().dim, shown(label));
+  draw_text(list, {high.x - text_size(value).x, top}, palette().text, value);
+  note(ui, label, "label", tooltip, true, std::string(value), low, high);
 }
 
 void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down) {

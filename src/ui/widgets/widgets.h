@@ -109,6 +109,7 @@ float sized(float length);
 ImVec2 sized(ImVec2 size);
 
 glm::vec2 mouse_position();                  // px
+bool mouse_over(ImVec2 low, ImVec2 high);    // of the current window, also while one of its items is held down
 std::string hidden(std::string_view label);  // "##label": an id without a visible label
 ImVec2 text_size(std::string_view text);
 // Returns the text if it fits into `room` px of the current font, else its start with "\u2026" behind it, or its end
@@ -118,6 +119,9 @@ std::string shortened(std::string_view text, float room, bool keep_end = false);
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
 void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
 ImVec2 small_size(std::string_view text);
+// Draws a label at the left of a rectangle and its value at the right, and registers them.
+void labelled_value(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view tooltip,
+                    ImVec2 low, ImVec2 high);
 // Draws the mark of a part that folds: a triangle about `middle` that points down or up.
 void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down);
 
@@ -185,22 +189,35 @@ enum class ComboPlace { fitting, beside, in_bar };
 std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
                          std::string_view tooltip, ComboPlace place = ComboPlace::fitting);
 
-// Returns the labels and help of an enumeration's rows.
-template <base::Named E>
-std::vector<Choice> choices_of() {
+// Returns the labels and help of rows, such as an enumeration's.
+template <class Rows>
+std::vector<Choice> choices_in(const Rows& rows) {
   std::vector<Choice> choices;
-  for (const auto& row : rows_of(E{})) {
+  for (const auto& row : rows) {
     if constexpr (requires { row.formula; }) choices.push_back({std::string(row.label), std::string(row.formula)});
     else choices.push_back({std::string(row.label), std::string(row.help)});
   }
   return choices;
 }
 template <base::Named E>
+std::vector<Choice> choices_of() {
+  return choices_in(rows_of(E{}));
+}
+template <base::Named E>
 std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, std::string_view tooltip,
                           ComboPlace place = ComboPlace::fitting) {
   const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip, place);
-  if (!chosen) return std::nullopt;
-  return static_cast<E>(*chosen);
+  return chosen ? std::optional(static_cast<E>(*chosen)) : std::nullopt;
+}
+// The same for a value that may be none of these: then `other` is chosen.
+template <base::Named E>
+std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, std::optional<E> current, const Choice& other,
+                          std::string_view tooltip) {
+  std::vector<Choice> choices = choices_of<E>();
+  if (!current) choices.push_back(other);
+  const std::size_t now = current ? static_cast<std::size_t>(*current) : choices.size() - 1;
+  const auto chosen = combo(ui, label, choices, static_cast<int>(now), tooltip);
+  return chosen ? std::optional(static_cast<E>(*chosen)) : std::nullopt;
 }
 
 struct Number {
@@ -214,6 +231,10 @@ struct Number {
   bool whole = false;                      // typed numbers must be whole
   const char* typed_in = unit;             // unit of typed numbers; not shown in a narrow field
 };
+// Returns a whole number with the limits of its drags.
+constexpr Number whole_number(double value, double low, double high, double largest = 1e9, double step = 0.05) {
+  return {.value = value, .decimals = 0, .step = step, .low = low, .high = high, .largest = largest, .whole = true};
+}
 // Shows a number field: drag it, or click and type a number, arithmetic or another unit (base/units.h); anything
 // else is rejected with a notice. Returns the new value during a drag (within a gesture) or when typed.
 std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip,
