@@ -211,8 +211,7 @@ std::span<const TrackFormat> formats() { return kFormats; }
 
 const TrackFormat* format_of(const std::filesystem::path& path) {
   const std::string ending = is_pasted(path.native()) ? ".xyz" : base::lower(path.extension().string());
-  const auto found =
-      std::find_if(kFormats.begin(), kFormats.end(), [&](const TrackFormat& f) { return f.ending == ending; });
+  const auto* const found = std::ranges::find(kFormats, ending, &TrackFormat::ending);
   return found == kFormats.end() ? nullptr : &*found;
 }
 

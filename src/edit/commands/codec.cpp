@@ -139,8 +139,7 @@ bool read_field(base::WordReader& words, const Field& field) {
 std::string done_part(const Fields& fields, std::string_view part, const world::Document& document) {
   const std::size_t choice = part.find('?');
   const std::string_view keyword = part.substr(0, choice);
-  const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.keyword.word == keyword; });
+  const auto found = std::ranges::find_if(fields, [&](const Field& f) { return f.keyword.word == keyword; });
   if (found == fields.end()) return {};
   std::string words = found->type->words(found->value, document);
   if (choice == std::string_view::npos) return words;
@@ -188,7 +187,7 @@ std::string print(const Command& command) {
   std::string text(info(copy).name);
   const Fields fields = fields_of(copy);
   const bool of_anything = kKinds[index_of(copy)].target == kAnyTarget &&
-                           std::any_of(fields.begin(), fields.end(), [](const Field& f) { return f.is_target(); });
+                           std::ranges::any_of(fields, [](const Field& f) { return f.is_target(); });
   bool on_segment = false;
   for (const Field& field : fields) {
     if (field.is_target()) {
@@ -245,8 +244,8 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
     error = {1, "expected a command"};
     return failed();
   }
-  const auto row = std::find_if(kKinds.begin(), kKinds.end(),
-                                [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
+  const auto* const row =
+      std::ranges::find_if(kKinds, [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
   if (row == kKinds.end()) {
     error = {tokens[0].column, fmt::format("no command {}{}", base::quoted_start(tokens[0].text),
                                            base::suggestion(tokens[0].text, command_names()))};
@@ -259,8 +258,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   if (place != fields.end()) tokens = former = apart(tokens, place->keyword.word);
   base::WordReader words(tokens, error);
   words.take("a command");
-  const bool read =
-      std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });
+  const bool read = std::ranges::all_of(fields, [&](const Field& field) { return read_field(words, field); });
   if (read && words.at_end()) return result;
   if (read) words.fail(words.peek()->column, "unexpected " + base::quoted_start(words.peek()->text));
   // Where no word was meant, the whole form helps, unless it is as long as that of an element.

@@ -18,6 +18,13 @@ bool read_number(base::WordReader& words, std::string_view what, Parse parse, T&
   return true;
 }
 
+bool read_word(base::WordReader& words, std::string_view expected, auto parse, auto& value) {
+  const base::Token* const word = words.take(expected);
+  const auto parsed = word ? parse(word->text) : std::nullopt;
+  if (parsed) value = *parsed;
+  return parsed || (word && words.reject(expected));
+}
+
 std::string words_of_name(world::EntityName name, const world::Document& document) {
   const auto* const section = document.entities.find<world::Section>(world::find(document, name));
   return section ? world::words_of(*section) : world::to_text(name);
@@ -214,38 +221,23 @@ bool read_value(base::WordReader& words, CameraChange& value) { return read_part
 bool read_value(base::WordReader& words, exchange::ImportOptions& value) { return read_parts(words, value, false); }
 
 bool read_value(base::WordReader& words, Target& value) {
-  constexpr std::string_view kExpected = "an entity such as @k3, @s2, @c1 or @q1";
-  const base::Token* const word = words.take(kExpected);
-  if (!word) return false;
-  if (word->text == "none") return value = {}, true;
-  const auto name = read_name(word->text);
-  if (!name) return words.reject(kExpected);
-  value.name = *name;
-  return true;
+  const auto parse = [](std::string_view text) { return text == "none" ? world::EntityName{} : read_name(text); };
+  return read_word(words, "an entity such as @k3, @s2, @c1 or @q1", parse, value.name);
 }
 
 bool read_value(base::WordReader& words, world::Colour& value) {
-  constexpr std::string_view kExpected = "a colour such as \"#d9452f\", or own";
-  const base::Token* const word = words.take(kExpected);
-  if (!word) return false;
-  const auto colour = world::parse_colour(word->text);
-  if (!colour) return words.reject(kExpected);
-  value = *colour;
-  return true;
+  return read_word(words, "a colour such as \"#d9452f\", or own", world::parse_colour, value);
 }
 
 bool read_value(base::WordReader& words, HandleTarget& value) {
-  constexpr std::string_view kExpected = "a handle such as @k3.in or @k3.out";
-  const base::Token* const word = words.take(kExpected);
-  if (!word) return false;
-  std::string_view text = word->text;
-  const bool in = text.ends_with(".in"), out = text.ends_with(".out");
-  if (!text.starts_with('@') || (!in && !out)) return words.reject(kExpected);
-  text.remove_prefix(1), text.remove_suffix(in ? 3 : 4);
-  const auto name = world::parse_name(text);
-  if (!name || name->kind != world::EntityKind::knot) return words.reject(kExpected);
-  value = {*name, in ? HandleEnd::in : HandleEnd::out};
-  return true;
+  const auto parse = [](std::string_view text) -> std::optional<HandleTarget> {
+    const bool in = text.ends_with(".in");
+    if (!in && !text.ends_with(".out")) return {};
+    const auto name = read_name(text.substr(0, text.size() - (in ? 3 : 4)));
+    if (!name || name->kind != world::EntityKind::knot) return {};
+    return HandleTarget{*name, in ? HandleEnd::in : HandleEnd::out};
+  };
+  return read_word(words, "a handle such as @k3.in or @k3.out", parse, value);
 }
 
 bool read_value(base::WordReader& words, glm::vec3& value) {

@@ -162,8 +162,8 @@ void free_hand_shaped(const std::vector<PlannedSection>& before, Session& sessio
   const SectionShapeComparison comparison(session, change);
   std::vector<std::string> freed;
   for (const world::SectionRun& run : world::sections_of(document)) {
-    const auto was = std::find_if(before.begin(), before.end(),
-                                  [&](const PlannedSection& planned) { return planned.run.section == run.section; });
+    const auto was =
+        std::ranges::find(before, run.section, [](const PlannedSection& planned) { return planned.run.section; });
     world::Section& section = document.entities.get<world::Section>(run.section);
     if (was == before.end() || !(was->value == section) || comparison.keeps_its_plan(was->run, run)) continue;
     if (std::find(change.planned.begin(), change.planned.end(), run.section) != change.planned.end()) continue;
@@ -195,8 +195,7 @@ void share_turns(const MotionFollowUp& split, const sim::Roll& before, world::Do
 std::vector<PlannedSection> planned_sections(const world::Document& document) {
   std::vector<PlannedSection> planned;
   const auto& sections = document.entities.pool<world::Section>().items();
-  if (std::all_of(sections.begin(), sections.end(), [](const auto& s) { return s.kind == world::SectionKind::free; }))
-    return planned;
+  if (std::ranges::all_of(sections, [](const auto& s) { return s.kind == world::SectionKind::free; })) return planned;
   for (const world::SectionRun& run : world::sections_of(document))
     if (const world::Section& value = world::section(document, run.section); value.kind != world::SectionKind::free)
       planned.push_back({run, value});

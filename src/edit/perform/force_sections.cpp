@@ -37,15 +37,13 @@ template <class Edit>
 Status with_program(Session& session, Change& change, Target target, bool from_start, Edit edit) {
   const auto section = force_section(session, target);
   if (!section) return section.status();
-  const Document& start = session.history.gesture_start;
-  const bool restarts = from_start && session.history.in_gesture && start.entities.find<world::Section>(*section);
-  const Document& former = restarts ? start : session.document;
+  const Document& former = former_document(session, from_start, *section);
   Document next = former;
   ForceProgram& program = next.entities.get<world::Section>(*section).force;
   if constexpr (std::is_void_v<decltype(edit(program))>) edit(program);
   else if (const Status edited = edit(program); !edited) return edited;
   if (const auto wrong = world::broken(program)) return refused(*wrong);
-  if (next == former) return restarts ? adopt(session, change, former, std::move(next)) : Status{};
+  if (next == former) return &former == &session.document ? Status{} : adopt(session, change, former, std::move(next));
   if (const Status planned = replan_force(session, change, next, *section); !planned) return planned;
   return adopt(session, change, former, std::move(next));
 }
@@ -63,17 +61,14 @@ constexpr double kSamePlace = 1e-6;  // m or s
 // Returns the key at a position; null if there is none.
 ForceKey* key_at(ForceProgram& program, world::ForceChannel channel, double at) {
   std::vector<ForceKey>& keys = program.keys(channel);
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ForceKey& key) {
-    return std::abs(key.at - at) <= kSamePlace * (1 + std::abs(at));
-  });
+  const auto found = std::ranges::find_if(
+      keys, [&](const ForceKey& key) { return std::abs(key.at - at) <= kSamePlace * (1 + std::abs(at)); });
   return found == keys.end() ? nullptr : &*found;
 }
 
 void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey& key) {
   std::vector<ForceKey>& keys = program.keys(channel);
-  keys.insert(std::upper_bound(keys.begin(), keys.end(), key.at,
-                               [](double at, const ForceKey& other) { return at < other.at; }),
-              key);
+  keys.insert(std::ranges::upper_bound(keys, key.at, {}, &ForceKey::at), key);
 }
 
 // Takes the key of a command out of its channel and calls edit(program, key), which may put it back; refused without
@@ -133,15 +128,9 @@ Status change_forces(Session& session, Change& change, Entity section, const For
   return with_program(session, change, target, false, [&](ForceProgram& program) { program = to; });
 }
 
-void report_missed(const sim::ForcePlan& plan, Change& change) {
-  if (const std::string missed = sim::missed_text(plan); !missed.empty())
-    change.clamped.push_back(base::sentence(missed));
-}
-
 void report_forces(const sim::ForcePlan& plan, Change& change) {
-  if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
-    change.clamped.push_back(base::sentence(stopped));
-  report_missed(plan, change);
+  change.warn_of(sim::stop_text(plan));
+  change.warn_of(sim::missed_text(plan));
   if (change.clamped.empty())
     change.note =
         fmt::format("Placed a force section: {:.1f} m, {} {}, felt g{} within {:.2f} g.", plan.length, plan.spans(),
@@ -307,8 +296,7 @@ Status perform(Session& session, Change& change, const MakeForceSection& command
   world::Section made = world::without_plan(world::section(document, run.section));
   made.kind = world::SectionKind::force, made.force = plan.task.program;
   const Entity section = world::make_section(next, run.first, run.count, std::move(made));
-  const bool follows = document.track.closed || run.end() < document.track.segments.size();
-  reshape(next, section, plan.fit.spans, follows ? SectionEnd::stays : SectionEnd::open);
+  reshape(next, section, plan.fit.spans, is_followed(document, run) ? SectionEnd::stays : SectionEnd::open);
   change.select = section;
   if (!speed) change.clamped.push_back(sim::assumed_text());
   std::size_t keys = 0;

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/g2.h"
+#include "edit/perform/perform_context.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -20,8 +21,6 @@ using glm::dvec3;
 using world::Document;
 using world::JointKind;
 using world::Knot;
-
-base::Status refusal(std::string reason) { return {base::Code::refused, std::move(reason)}; }
 
 // The indices in track order around a joint.
 struct JointIndices {
@@ -36,12 +35,6 @@ JointIndices joint_at(const Document& document, std::size_t index) {
   return {(index + count - 1) % count, index, (index + 1) % count};
 }
 
-const Knot& knot_at(const Document& document, std::size_t index) {
-  return world::knot(document, document.track.knots[index]);
-}
-Knot& knot_at(Document& document, std::size_t index) {
-  return document.entities.get<Knot>(document.track.knots[index]);
-}
 curve::Cubic cubic_from(const Document& document, std::size_t index) {
   return world::cubic_of(document, document.track.segments[index]);
 }
@@ -54,7 +47,7 @@ dvec3 forward(const Knot& knot) { return glm::normalize(dvec3(knot.tangent)); }
 
 // Returns the far end of one side. `strict` keeps a G2 joint there G2; a C2 joint stays C2 in any case.
 G2Side side_of(const Document& document, std::size_t far, bool out, bool strict, bool one_neighbour) {
-  const Knot& knot = knot_at(document, far);
+  const Knot& knot = nth_knot(document, far);
   G2Side side;
   side.anchor = dvec3(knot.position);
   side.direction = out ? forward(knot) : -forward(knot);
@@ -80,7 +73,7 @@ G2Side side_of(const Document& document, std::size_t far, bool out, bool strict,
 }
 
 curve::G2Problem problem_of(const Document& document, const JointIndices& j, bool strict) {
-  const Knot& knot = knot_at(document, j.at);
+  const Knot& knot = nth_knot(document, j.at);
   const bool one_neighbour = j.before == j.after;
   const dvec3 t = forward(knot), p(knot.position);
   curve::G2Problem problem;
@@ -89,8 +82,8 @@ curve::G2Problem problem_of(const Document& document, const JointIndices& j, boo
   problem.out_handle = p + t * double{knot.out_length};
   problem.equal_lengths =
       knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::ParametricContinuity::c1;
-  problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic ||
-                           knot_at(document, j.after).joint == JointKind::automatic;
+  problem.position_fixed = nth_knot(document, j.before).joint == JointKind::automatic ||
+                           nth_knot(document, j.after).joint == JointKind::automatic;
   problem.before = side_of(document, j.before, true, strict, one_neighbour);
   problem.after = side_of(document, j.after, false, strict, one_neighbour);
   return problem;
@@ -112,22 +105,22 @@ std::string metres(double value) { return base::to_text(std::round(value * 1000.
 // Checks the limits of knots, and that the change is small enough for a repair.
 base::Status acceptable(const Document& document, const JointIndices& j, const curve::G2Problem& problem,
                         const curve::G2Solution& s) {
-  if (s.outcome == curve::G2Outcome::degenerate) return refusal("a handle has no length");
+  if (s.outcome == curve::G2Outcome::degenerate) return refused("a handle has no length");
   if (s.outcome == curve::G2Outcome::no_convergence)
-    return refusal("there is no G2 shape nearby that leaves the neighbouring joints as they are");
+    return refused("there is no G2 shape nearby that leaves the neighbouring joints as they are");
   const double most = 0.5 * std::min(polygon(cubic_from(document, j.before)), polygon(cubic_from(document, j.at))),
                far = farthest(problem, s);
   if (far > most)
-    return refusal(
+    return refused(
         fmt::format("a control point would move {}, more than half a segment ({})", metres(far), metres(most)));
   for (const double length :
        {glm::length(s.position - s.in_handle), glm::length(s.out_handle - s.position), s.before_length, s.after_length})
     if (!(length >= double{world::kMinHandle} && length <= double{world::kMaxHandle}))
-      return refusal(fmt::format("a handle would leave the limits of {} to {} m", base::to_text(world::kMinHandle),
+      return refused(fmt::format("a handle would leave the limits of {} to {} m", base::to_text(world::kMinHandle),
                                  base::to_text(world::kMaxHandle)));
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(s.position[axis]) > double{world::kMaxCoordinate})
-      return refusal("the knot would be beyond the limit of coordinates");
+      return refused("the knot would be beyond the limit of coordinates");
   return {};
 }
 
@@ -137,26 +130,21 @@ void set_length(Knot& knot, bool out, double to) {
 }
 
 void put(Document& document, const JointIndices& j, const curve::G2Problem& problem, const curve::G2Solution& s) {
-  Knot& knot = knot_at(document, j.at);
+  Knot& knot = nth_knot(document, j.at);
   if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
   if (!problem.position_fixed) knot.position = glm::vec3(s.position);
   world::set_tangent(knot, glm::vec3(s.out_handle - s.in_handle));
   knot.in_length = static_cast<float>(glm::length(s.position - s.in_handle));
   knot.out_length = problem.equal_lengths ? knot.in_length : static_cast<float>(glm::length(s.out_handle - s.position));
-  if (!problem.before.length_fixed) set_length(knot_at(document, j.before), true, s.before_length);
-  if (!problem.after.length_fixed) set_length(knot_at(document, j.after), false, s.after_length);
+  if (!problem.before.length_fixed) set_length(nth_knot(document, j.before), true, s.before_length);
+  if (!problem.after.length_fixed) set_length(nth_knot(document, j.after), false, s.after_length);
 }
 
-struct ContinuityClasses {
-  curve::GeometricContinuity geometric;
-  curve::ParametricContinuity parametric;
-};
-std::optional<ContinuityClasses> classes_at(const Document& document, std::size_t index) {
-  if (!joins(document, index)) return std::nullopt;
-  const curve::JointContinuity joint = class_at(document, index);
-  return ContinuityClasses{joint.geometric, joint.parametric};
+using Continuity = std::optional<curve::JointContinuity>;  // nothing at an open end
+Continuity classes_at(const Document& document, std::size_t index) {
+  return joins(document, index) ? Continuity(class_at(document, index)) : std::nullopt;
 }
-bool lowered(const std::optional<ContinuityClasses>& before, const std::optional<ContinuityClasses>& now) {
+bool lowered(const Continuity& before, const Continuity& now) {
   return before && (now->geometric < before->geometric || now->parametric < before->parametric);
 }
 
@@ -166,8 +154,8 @@ base::Status repair(Document& document, std::size_t index, bool strict) {
   const curve::G2Problem problem = problem_of(document, j, strict);
   const curve::G2Solution solution = curve::solve_g2(problem);
   if (const base::Status status = acceptable(document, j, problem, solution); !status) return status;
-  const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
-  const std::optional<ContinuityClasses> before = classes_at(document, j.before), after = classes_at(document, j.after);
+  const Knot was[] = {nth_knot(document, j.before), nth_knot(document, j.at), nth_knot(document, j.after)};
+  const Continuity before = classes_at(document, j.before), after = classes_at(document, j.after);
   const curve::ParametricContinuity own = class_at(document, index).parametric;
   put(document, j, problem, solution);
   const curve::JointContinuity now = class_at(document, index);
@@ -179,16 +167,16 @@ base::Status repair(Document& document, std::size_t index, bool strict) {
   else if (strict && (lowered(before, classes_at(document, j.before)) || lowered(after, classes_at(document, j.after))))
     reason = "a neighbouring joint would lose its class";
   if (reason.empty()) return {};
-  knot_at(document, j.before) = was[0];
-  knot_at(document, j.after) = was[2];
-  knot_at(document, j.at) = was[1];
-  return refusal(std::move(reason));
+  nth_knot(document, j.before) = was[0];
+  nth_knot(document, j.after) = was[2];
+  nth_knot(document, j.at) = was[1];
+  return refused(std::move(reason));
 }
 
 double movement_between(const Document& a, const Document& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.track.knots.size(); ++i) {
-    const Knot &from = knot_at(a, i), &to = knot_at(b, i);
+    const Knot &from = nth_knot(a, i), &to = nth_knot(b, i);
     for (const dvec3 d :
          {dvec3(to.position) - dvec3(from.position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(from)),
           dvec3(world::out_handle(to)) - dvec3(world::out_handle(from))})
@@ -234,7 +222,7 @@ RepairReport report(const Document& before, const Document& now, const std::vect
   RepairReport result;
   for (std::size_t i = 0; i < now.track.knots.size(); ++i) {
     if (!joins(now, i)) continue;
-    const std::optional<ContinuityClasses> was = classes_at(before, i), is = classes_at(now, i);
+    const Continuity was = classes_at(before, i), is = classes_at(now, i);
     if (lowered(was, is)) spoilt = true;
     if (was->geometric == curve::GeometricContinuity::g2) ++result.already;
     else if (is->geometric == curve::GeometricContinuity::g2) ++result.changed;
@@ -249,7 +237,7 @@ RepairReport report(const Document& before, const Document& now, const std::vect
 
 base::Status make_g2(Document& document, std::size_t index, double* movement) {
   if (movement) *movement = 0;
-  if (!joins(document, index)) return refusal("an end of an open track joins nothing");
+  if (!joins(document, index)) return refused("an end of an open track joins nothing");
   if (class_at(document, index).geometric == curve::GeometricContinuity::g2) return {};
   const Document before = document;
   const base::Status status = repair(document, index, true);

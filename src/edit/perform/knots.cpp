@@ -19,6 +19,9 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
+using glm::dmat3;
+using glm::dvec3;
+using world::Entity;
 using world::EntityKind;
 using world::JointKind;
 using world::Knot;
@@ -53,10 +56,6 @@ std::string told(std::string_view what, std::optional<double> before, std::optio
                      base::figure_text(*before, 3, "g"));
 }
 
-using glm::dmat3;
-using glm::dvec3;
-using world::Entity;
-
 constexpr double kLeastFactor = 1e-4;  // of scaling: smaller factors would lose the shape
 constexpr double kShortAxis = 1e-9;
 
@@ -66,13 +65,6 @@ struct AffineMap {
   dvec3 about{0}, by{0};
   bool rigid_shift = false;  // linear is 1: only positions change, by one addition
 };
-
-// Returns the knot as it was when the gesture began, or as it is now.
-const Knot& source(const Session& session, Entity e, bool from_start) {
-  if (from_start && session.history.in_gesture)
-    if (const Knot* const then = session.history.gesture_start.entities.find<Knot>(e)) return *then;
-  return world::knot(session.document, e);
-}
 
 float cut_length(double length, bool& cut) {
   const double within = std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle});
@@ -94,13 +86,12 @@ void turn(Knot& knot, const dmat3& linear, bool& cut) {
 }
 
 // Mirrors reverse twists: whole turns between two mirrored knots change sign, as spins do.
-void turn_back_twists(world::Document& document, const std::vector<Entity>& knots, const world::Document* then) {
-  for (const Entity e : document.track.segments) {
-    world::Segment& segment = document.entities.get<world::Segment>(e);
-    const world::Segment* const before = then ? then->entities.find<world::Segment>(e) : nullptr;
+void turn_back_twists(Session& session, const std::vector<Entity>& knots, bool from_start) {
+  for (const Entity e : session.document.track.segments) {
+    world::Segment& segment = session.document.entities.get<world::Segment>(e);
     const auto chosen = [&](Entity k) { return std::binary_search(knots.begin(), knots.end(), k); };
     if (segment.turns != 0 && chosen(segment.from) && chosen(segment.to))
-      segment.turns = -(before ? before->turns : segment.turns);
+      segment.turns = -world::segment(former_document(session, from_start, e), e).turns;
   }
 }
 
@@ -109,7 +100,7 @@ Status transform(Session& session, Change& change, const Knots& which, const Aff
   if (!knots) return knots.status();
   bool cut = false;
   for (const Entity e : *knots) {
-    Knot next = source(session, e, from_start);
+    Knot next = world::knot(former_document(session, from_start, e), e);
     const dvec3 position =
         map.rigid_shift ? dvec3(next.position) + map.by : map.about + map.linear * (dvec3(next.position) - map.about);
     if (!map.rigid_shift) turn(next, map.linear, cut);
@@ -125,8 +116,7 @@ Status transform(Session& session, Change& change, const Knots& which, const Aff
                                          base::to_text(world::kMinHandle), base::to_text(world::kMaxHandle)));
   if (glm::determinant(map.linear) < 0) {
     std::sort(knots->begin(), knots->end());
-    turn_back_twists(session.document, *knots,
-                     from_start && session.history.in_gesture ? &session.history.gesture_start : nullptr);
+    turn_back_twists(session, *knots, from_start);
   }
   return {};
 }
@@ -224,8 +214,7 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   double movement = 0;
   const std::span<const sim::Jolt> jolts = SessionFindings(session).jolts();  // of the ride before
   const world::Document before = session.document;
-  const Status status = make_g2(session.document, index, &movement);
-  if (!status) return status;
+  if (const Status status = make_g2(session.document, index, &movement); !status) return status;
   change.note = before == session.document ? "The joint is G2 already."
                                            : fmt::format("Made the joint G2 by moving {}.", as_movement(movement));
   change.note += told("Step of the force at the fastest passage", sim::fastest_step(before, jolts, index),

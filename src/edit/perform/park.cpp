@@ -44,6 +44,13 @@ Status stroke(Session& session, Change& change, std::initializer_list<glm::vec2>
   return {};
 }
 
+// Makes the stroke `makes(land, brush, more...)` of a command with a place and a radius.
+Status brush_stroke(Session& session, Change& change, const auto& command, auto makes, auto... more) {
+  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
+    return makes(land, {command.at, radius}, more...);
+  });
+}
+
 }  // namespace
 
 Status perform(Session& session, Change& change, const SetLand& command) {
@@ -95,22 +102,16 @@ Status perform(Session& session, Change&, const ResetPark&) {
 }
 
 Status perform(Session& session, Change& change, const RaiseGround& command) {
-  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
-    return sim::raised(land, {command.at, radius}, command.by);
-  });
+  return brush_stroke(session, change, command, sim::raised, command.by);
 }
 
 Status perform(Session& session, Change& change, const SmoothGround& command) {
-  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
-    return sim::smoothed(land, {command.at, radius});
-  });
+  return brush_stroke(session, change, command, sim::smoothed);
 }
 
 Status perform(Session& session, Change& change, const FlattenGround& command) {
   const double to = change.clamp("height", command.to, -world::kHighestGround, world::kHighestGround, "m");
-  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
-    return sim::flattened(land, {command.at, radius}, to);
-  });
+  return brush_stroke(session, change, command, sim::flattened, to);
 }
 
 Status perform(Session& session, Change& change, const SlopeGround& command) {
@@ -121,15 +122,11 @@ Status perform(Session& session, Change& change, const SlopeGround& command) {
 
 Status perform(Session& session, Change& change, const PaintWoods& command) {
   const double to = change.clamp("woods", command.to, 0, 1);
-  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
-    return sim::wooded(land, {command.at, radius}, to);
-  });
+  return brush_stroke(session, change, command, sim::wooded, to);
 }
 
 Status perform(Session& session, Change& change, const ResetWoods& command) {
-  return stroke(session, change, {command.at}, command.radius, [&](const sim::Land& land, double radius) {
-    return sim::wooded(land, {command.at, radius}, std::nullopt);
-  });
+  return brush_stroke(session, change, command, sim::wooded, std::nullopt);
 }
 
 Status perform(Session& session, Change&, const SetEarthwork& command) {

@@ -43,6 +43,17 @@ glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
   return position;
 }
 
+void Change::warn_of(std::string text) {
+  if (!text.empty()) clamped.push_back(base::sentence(std::move(text)));
+}
+
+const world::Document& former_document(const Session& session, bool from_start, world::Entity entity) {
+  const History& history = session.history;
+  const bool restarts =
+      from_start && history.in_gesture && history.gesture_start.entities.find<world::EntityName>(entity) != nullptr;
+  return restarts ? history.gesture_start : session.document;
+}
+
 void derive(Session& session) {
   const sim::SolidsDetail before = sim::detail_of(session.derived);
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);

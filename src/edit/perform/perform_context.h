@@ -46,15 +46,31 @@ struct Change {
   T clamp(std::string_view what, T value, std::type_identity_t<T> low, std::type_identity_t<T> high,
           std::string_view unit = {});
   glm::vec3 clamp_position(std::string_view what, glm::vec3 position);
+  // Adds a warning as a sentence; nothing for an empty text.
+  void warn_of(std::string text);
 };
 
 base::Status refused(std::string message);
 // Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
 base::Result<world::Entity> require(const Session& session, Target target, world::EntityKind kind);
 
+// Returns the document that a command changes: with `from_start` in an open gesture the one that the gesture began
+// with, if it has the entity; else the present one.
+const world::Document& former_document(const Session& session, bool from_start, world::Entity entity);
+
 // Returns the entity of a command's field segment, knot, cart or section: apply() has refused the command otherwise,
 // and if one of its numbers is not finite.
 world::Entity entity_of(const Session& session, Target target);
+
+// Returns the knot with that index; after the last one of a closed track comes the first.
+inline const world::Knot& nth_knot(const world::Document& document, std::size_t index) {
+  const auto& knots = document.track.knots;
+  return world::knot(document, knots[index % knots.size()]);
+}
+inline world::Knot& nth_knot(world::Document& document, std::size_t index) {
+  const auto& knots = document.track.knots;
+  return document.entities.get<world::Knot>(knots[index % knots.size()]);
+}
 
 // Refused if a name or title is too long or cannot be printed.
 base::Status may_be_called(std::string_view name, std::string_view what);

@@ -28,9 +28,7 @@ using world::SectionRun;
 using world::Train;
 
 // The start positions of a section's trains, as fractions of its length.
-struct TrainFractions {
-  std::vector<std::pair<Entity, double>> carts;
-};
+using TrainFractions = std::vector<std::pair<Entity, double>>;
 
 std::vector<double> lengths_of(const Document& document, const SectionRun& run) {
   std::vector<double> ends{0};
@@ -50,15 +48,15 @@ TrainFractions starts_on(const Document& document, const SectionRun& run) {
     if (ends.empty()) ends = lengths_of(document, run);
     const std::size_t k = at - run.first;
     const double s = ends[k] + cart.fraction * (ends[k + 1] - ends[k]);
-    starts.carts.emplace_back(carts.entities()[i], ends.back() > 0 ? s / ends.back() : 0.0);
+    starts.emplace_back(carts.entities()[i], ends.back() > 0 ? s / ends.back() : 0.0);
   }
   return starts;
 }
 
 void put_back(const TrainFractions& starts, const SectionRun& run, Document& document) {
-  if (starts.carts.empty()) return;
+  if (starts.empty()) return;
   const std::vector<double> ends = lengths_of(document, run);
-  for (const auto& [e, fraction] : starts.carts) {
+  for (const auto& [e, fraction] : starts) {
     const double s = fraction * ends.back();
     std::size_t k = 0;
     while (k + 1 < run.count && s >= ends[k + 1]) ++k;
@@ -77,14 +75,12 @@ bool stays(const sim::UprightMove& carry) {
 
 // Gives the section's knots the plan's shape. Its last knot keeps the values that belong to the track after it.
 void shape_knots(const sim::ElementFit& fit, const SectionRun& run, bool follows, Document& document) {
-  const std::vector<Entity>& knots = document.track.knots;
-  const auto knot = [&](std::size_t i) -> Knot& { return document.entities.get<Knot>(knots[i % knots.size()]); };
-  Knot& start = knot(run.first);
+  Knot& start = nth_knot(document, run.first);
   start.joint = world::JointKind::aligned;
   start.out_length = fit.knots.front().out_length;
   for (std::size_t i = 1; i <= run.count; ++i) {
     Knot planned = fit.knots[i];
-    Knot& into = knot(run.first + i);
+    Knot& into = nth_knot(document, run.first + i);
     if (i == run.count && follows)
       planned.out_length = into.out_length, planned.spin = into.spin, planned.spin_kind = into.spin_kind;
     into = planned;
@@ -97,8 +93,8 @@ void shape_knots(const sim::ElementFit& fit, const SectionRun& run, bool follows
 bool same_equipment(const world::Element& a, const world::Element& b) {
   constexpr std::string_view kNames[] = {"equipment", "speed", "acceleration"};
   return a.kind == b.kind && world::found_value(a, kNames[0]) &&
-         std::all_of(std::begin(kNames), std::end(kNames),
-                     [&](std::string_view name) { return world::found_value(a, name) == world::found_value(b, name); });
+         std::ranges::all_of(
+             kNames, [&](std::string_view name) { return world::found_value(a, name) == world::found_value(b, name); });
 }
 
 // Applies the plan's equipment; if it is the same as before, the present equipment stays.
@@ -144,7 +140,7 @@ bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::UprightMove& c
 // Returns the section that begins where a run ends; none at the end of an open track.
 Entity section_after(const Document& document, const SectionRun& run) {
   const std::vector<Entity>& segments = document.track.segments;
-  if (!document.track.closed && run.end() == segments.size()) return world::kNone;
+  if (!is_followed(document, run)) return world::kNone;
   return world::segment(document, segments[run.end() % segments.size()]).section;
 }
 
@@ -170,8 +166,9 @@ void put_speed(const Session& session, const Change& change, Document& document,
   if (const double now = std::sqrt(square); std::abs(now - speed) > kSameSpeed) speed = now;
 }
 
-bool has_equipment(const Document& document, const SectionRun& run) {
-  for (std::size_t i = run.first; i < run.end(); ++i)
+// True if one of the segments from `first` to before `end` has equipment.
+bool has_equipment(const Document& document, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i)
     if (document.entities.find<world::Equipment>(document.track.segments[i]) != nullptr) return true;
   return false;
 }
@@ -196,9 +193,7 @@ PlanAgain planner_of(SectionKind kind) {
 // Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
 void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
   reshape(document, run.section, fit, SectionEnd::moves);
-  const std::size_t end = world::run_of(document, run.section).end();
-  const auto& knots = document.track.knots;
-  document.entities.get<Knot>(knots[end % knots.size()]).spin = fit.knots.back().spin;
+  nth_knot(document, world::run_of(document, run.section).end()).spin = fit.knots.back().spin;
 }
 
 // The conditions that the track imposes on a section's ends.
@@ -227,12 +222,8 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
   std::size_t same = 0;
   while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
     ++same;
-  const auto driven = [&](const Document& document, std::size_t end) {
-    for (std::size_t i = same > 0 ? same - 1 : 0; i < end; ++i)
-      if (document.entities.find<world::Equipment>(document.track.segments[i])) return true;
-    return false;
-  };
-  return driven(former, was.first) || driven(next, run.first);
+  const std::size_t first = same > 0 ? same - 1 : 0;
+  return has_equipment(former, first, was.first) || has_equipment(next, first, run.first);
 }
 
 // Returns what the change asks of the section that completes the circuit.
@@ -302,9 +293,7 @@ Status carry_after(Document& document, std::size_t knot, const sim::UprightMove&
 void reshape(Document& document, Entity section, const sim::ElementFit& fit, SectionEnd end) {
   const std::size_t spans = fit.knots.size() - 1;
   SectionRun run = world::run_of(document, section);
-  const auto last = [&]() -> Knot& {
-    return document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
-  };
+  const auto last = [&]() -> Knot& { return nth_knot(document, run.end()); };
   const TrainFractions starts = spans == run.count ? TrainFractions{} : starts_on(document, run);
   const Knot held = last();
   world::resize_section(document, section, spans);
@@ -324,7 +313,7 @@ Status room_for_spans(const Session& session, const Document& document, const Se
 }
 
 Status put_in_place(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
-  const bool follows = document.track.closed || run.end() < document.track.segments.size();
+  const bool follows = is_followed(document, run);
   sim::UprightMove carry;
   if (follows) {
     const base::Result<sim::UprightMove> found = sim::move_between(nth_knot(document, run.end()), fit.knots.back());
@@ -360,10 +349,7 @@ Status replan_element(Session& session, Change& change, Document& document, Enti
 Status perform(Session& session, Change& change, const ChangeSection& command) {
   const world::Entity section = entity_of(session, command.section);
   if (const Status good = well_formed(command.to); !good) return good;
-  const Document& start = session.history.gesture_start;
-  const bool from_start =
-      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(section);
-  const Document& former = from_start ? start : session.document;
+  const Document& former = former_document(session, command.from_start, section);
   Document next = former;
   if (const Status planned = replan_element(session, change, next, section, command.to); !planned) return planned;
   return adopt(session, change, former, std::move(next));
@@ -386,7 +372,7 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
     return put_in_place(document, run, fit);
   }
   change.planned.push_back(next);
-  if (has_equipment(document, run)) change.gained.reset();
+  if (has_equipment(document, run.first, run.end())) change.gained.reset();
   return plan_again(session, change, document, next);
 }
 
@@ -399,9 +385,8 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   const sim::ForcePlan& plan = force_plans_of(session).plan(task);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
-  if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
-    change.clamped.push_back(base::sentence(stopped));
-  if (!session.history.in_gesture) report_missed(plan, change);
+  change.warn_of(sim::stop_text(plan));
+  if (!session.history.in_gesture) change.warn_of(sim::missed_text(plan));
   if (task.held) {
     if (const std::string unmet = sim::unmet_text(plan); !unmet.empty() && !session.history.in_gesture)
       change.clamped.push_back(unmet);
@@ -435,8 +420,7 @@ bool follow_speeds(Session& session, Change& change) {
     const bool differs = !(next == session.document);
     if (status && differs) status = adopt(session, change, session.document, std::move(next));
     if (!status) {
-      change.clamped.push_back(
-          base::sentence(fmt::format("{} keeps its shape: {}", world::words_of(value), status.message)));
+      change.warn_of(fmt::format("{} keeps its shape: {}", world::words_of(value), status.message));
     } else if (differs) {
       changed = true;
       change.planned.push_back(section);
@@ -459,10 +443,7 @@ Status keep_closed(Session& session, Change& change, const Document& former, Doc
   if (!found) return refused("the closing section is not found yet");
   if (!found->refusal.empty()) return refused(found->refusal);
   if (found->another) change.note = "The closing section takes another route.";
-  const std::size_t spans = found->fit.knots.size() - 1;
-  if (const Status room = room_for(session, next.track.knots.size() + spans - run->count, count + spans - run->count);
-      !room)
-    return room;
+  if (const Status room = room_for_spans(session, next, *run, found->fit.knots.size() - 1); !room) return room;
   reshape(next, run->section, found->fit, SectionEnd::stays);
   next.entities.get<world::Section>(run->section).closing = found->closing;
   change.planned.push_back(run->section);

@@ -9,10 +9,9 @@
 
 namespace coaster::edit {
 
-// Returns the knot with that index; after the last one of a closed track comes the first.
-inline const world::Knot& nth_knot(const world::Document& document, std::size_t index) {
-  const auto& knots = document.track.knots;
-  return world::knot(document, knots[index % knots.size()]);
+// True if track follows a run: other sections, or those before it on a closed track.
+inline bool is_followed(const world::Document& document, const world::SectionRun& run) {
+  return document.track.closed || run.end() < document.track.segments.size();
 }
 
 // Plans a section of `document` as an element from its start and gives its knots that shape. The knot that follows
@@ -91,8 +90,6 @@ world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
 // Does the same for a force section.
 world::Entity place_force(world::Document& document, const sim::ForcePlan& plan);
-// Warns of the largest difference from the keys if it is over the tolerance.
-void report_missed(const sim::ForcePlan& plan, Change& change);
 // Reports what was placed, or else its warnings.
 void report_forces(const sim::ForcePlan& plan, Change& change);
 // Plans a program at the open end for the speed there and adds it.

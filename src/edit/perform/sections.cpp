@@ -16,7 +16,6 @@
 #include "sim/study/jolt.h"
 #include "world/aid_settings.h"
 #include "world/element_rows.h"
-#include "world/evaluation_settings.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -24,6 +23,11 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
+using glm::dvec3;
+using world::Document;
+using world::Entity;
+using world::Knot;
+using world::SectionRun;
 
 // --- Commands of the palette: place an element at the open end, select and preview one
 
@@ -43,15 +47,6 @@ void report(const sim::ElementPlan& plan, double missing, const world::Document&
                             plan.length, plan.fit.error * 1000);
 }
 
-}  // namespace
-
-using base::Status;
-using world::Entity;
-using world::EntityKind;
-using world::SectionRun;
-
-namespace {
-
 // Stores the present equipment in the parameters of a planned section, so that it keeps it when it is planned again.
 void name_equipment(world::Section& section, const world::Equipment* equipment) {
   if (section.kind != world::SectionKind::element || !world::found_value(section.element, "equipment")) return;
@@ -59,15 +54,6 @@ void name_equipment(world::Section& section, const world::Equipment* equipment) 
   if (!equipment) return;
   world::set_value(section.element, "speed", equipment->speed);
   world::set_value(section.element, "acceleration", equipment->acceleration);
-}
-
-using glm::dvec3;
-using world::Document;
-using world::Knot;
-
-Knot& knot_to_change(Document& document, std::size_t index) {
-  const auto& knots = document.track.knots;
-  return document.entities.get<Knot>(knots[index % knots.size()]);
 }
 
 // Returns the element with left and right swapped.
@@ -105,13 +91,13 @@ Status mirror_knots(Document& document, const SectionRun& run) {
     world::orthonormalise(knot);
     return knot;
   };
-  if (document.track.closed || run.end() < document.track.segments.size()) {
+  if (is_followed(document, run)) {
     const base::Result<sim::UprightMove> carry = sim::move_between(end, reflect(end));
     if (!carry) return carry.status();
     if (const Status carried = carry_after(document, run.end(), *carry); !carried) return carried;
   }
   for (std::size_t i = 1; i <= run.count; ++i) {
-    Knot& knot = knot_to_change(document, run.first + i);
+    Knot& knot = nth_knot(document, run.first + i);
     knot = reflect(knot);
   }
   for (std::size_t i = run.first; i < run.end(); ++i) {
@@ -134,12 +120,12 @@ Status swap_runs(Document& document, const SectionRun& run, const SectionRun& ne
   if (follows)
     if (const Status carried = carry_after(document, next.end(), *rest); !carried) return carried;
   for (std::size_t i = run.first + 1; i <= next.end(); ++i) {
-    Knot& knot = knot_to_change(document, i);
+    Knot& knot = nth_knot(document, i);
     knot = (i <= run.end() ? *first : *second).knot(knot);
   }
-  begin_there(knot_to_change(document, run.first), b.out_length);
-  begin_there(knot_to_change(document, next.end()), a.out_length);
-  begin_there(knot_to_change(document, run.end()), follows ? c.out_length : b.in_length);
+  begin_there(nth_knot(document, run.first), b.out_length);
+  begin_there(nth_knot(document, next.end()), a.out_length);
+  begin_there(nth_knot(document, run.end()), follows ? c.out_length : b.in_length);
   world::swap_sections(document, run.section);
   return {};
 }
@@ -163,7 +149,7 @@ Document track_of(const Document& document, const SectionRun& run) {
 // Adds a hand-shaped section at the open end, turned so that it continues the track.
 Status append_run(const Document& from, const SectionRun& run, Document& document) {
   const auto knot = [&](std::size_t i) {
-    Knot copy = world::knot(from, from.track.knots[(run.first + i) % from.track.knots.size()]);
+    Knot copy = nth_knot(from, run.first + i);
     shaped_by_hand(copy);
     return copy;
   };
@@ -226,8 +212,7 @@ base::Result<Entity> paste_before(Change& change, const Document& from, const Se
   const std::size_t added = open.track.segments.size() - old;
   world::resize_section(document, before.section, before.count + added);
   for (std::size_t i = 0; i <= added; ++i)
-    document.entities.get<Knot>(document.track.knots[(before.end() + i) % document.track.knots.size()]) =
-        world::knot(open, open.track.knots[old + i]);
+    nth_knot(document, before.end() + i) = world::knot(open, open.track.knots[old + i]);
   for (std::size_t i = 0; i < added; ++i) {
     const Entity own = open.track.segments[old + i], into = document.track.segments[before.end() + i];
     document.entities.get<world::Segment>(into).turns = world::segment(open, own).turns;
@@ -253,20 +238,24 @@ base::Result<Document> sections_alone(const Session& session, Change& change, co
   return alone;
 }
 
+// Returns the only section of a track in words, or "3 sections".
+std::string words_of_all(const Document& track) {
+  const std::vector<SectionRun> all = world::sections_of(track);
+  return all.size() == 1 ? world::words_of(world::section(track, all[0].section))
+                         : fmt::format("{} sections", all.size());
+}
+
 // Adds the sections of a track at the open end, or before the one that completes the circuit. `done` is "Pasted" or
 // "Added".
 Status add_sections(Session& session, Change& change, const Document& from, std::string_view done) {
   Document next = session.document;
-  const std::vector<SectionRun> added = world::sections_of(from);
-  if (added.size() == 1)
-    change.note = fmt::format("{} {}.", done, world::words_of(world::section(from, added[0].section)));
-  else change.note = fmt::format("{} {} sections.", done, added.size());
+  change.note = fmt::format("{} {}.", done, words_of_all(from));
   if (const auto home = world::completing(next, 0)) {
     const base::Result<Entity> last = paste_before(change, from, *home, next);
     if (!last) return last.status();
     change.select = *last;
   } else {
-    for (const SectionRun& run : added)
+    for (const SectionRun& run : world::sections_of(from))
       if (const Status pasted = paste(change, from, run, next); !pasted) return pasted;
     if (!next.track.segments.empty()) change.select = world::segment(next, next.track.segments.back()).section;
   }
@@ -369,7 +358,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
     const auto carry = sim::move_between(end, start);
     if (!carry) return carry.status();
     if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
-    begin_there(knot_to_change(next, run.first), end.out_length);
+    begin_there(nth_knot(next, run.first), end.out_length);
   }
   world::remove_section(next, section);
   const auto trains = [](const Document& document) { return document.entities.pool<world::Train>().size(); };
@@ -418,9 +407,8 @@ Status perform(Session& session, Change& change, const MoveSection& command) {
 Document stretch_of(const Document& document, std::size_t first, std::size_t count) {
   Document stretch;
   stretch.curve = document.curve, stretch.heartline = document.heartline;
-  const auto &knots = document.track.knots, &segments = document.track.segments;
-  for (std::size_t i = 0; i <= count; ++i)
-    world::append_knot(stretch, world::knot(document, knots[(first + i) % knots.size()]));
+  const auto& segments = document.track.segments;
+  for (std::size_t i = 0; i <= count; ++i) world::append_knot(stretch, nth_knot(document, first + i));
   for (std::size_t i = 0; i < count; ++i) {
     const Entity from = segments[(first + i) % segments.size()], to = stretch.track.segments[i];
     stretch.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
@@ -434,10 +422,7 @@ Status perform(Session& session, Change& change, const CopySection& command) {
   const auto alone = sections_alone(session, change, command.sections);
   if (!alone) return alone.status();
   session.copied = exchange::print_track(*alone);
-  const std::vector<SectionRun> copied = world::sections_of(*alone);
-  change.note = copied.size() == 1
-                    ? fmt::format("Copied {}.", world::words_of(world::section(*alone, copied[0].section)))
-                    : fmt::format("Copied {} sections.", copied.size());
+  change.note = fmt::format("Copied {}.", words_of_all(*alone));
   return {};
 }
 

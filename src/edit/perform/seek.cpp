@@ -183,9 +183,8 @@ const std::vector<SeekWordRow>& knot_rows() {
 }
 // Returns the kinds of a knot's numbers with that name; none for other words.
 std::vector<SeekKind> kinds_of(std::string_view by) {
-  const auto& rows = knot_rows();
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const SeekWordRow& r) { return r.name == by; });
-  return row == rows.end() ? std::vector<SeekKind>() : row->kinds;
+  const auto row = std::ranges::find(knot_rows(), by, &SeekWordRow::name);
+  return row == knot_rows().end() ? std::vector<SeekKind>() : row->kinds;
 }
 
 int axis_of(SeekKind kind) { return static_cast<int>(kind); }
@@ -288,7 +287,7 @@ Numbers of_forces(const world::ForceProgram& program, Entity section, std::strin
 // Returns the parameter of a planned section that the command names; empty if it has none.
 Numbers of_element(const world::Element& element, Entity section, std::string_view by) {
   const auto rows = base::row_of(element.kind).parameters;
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == by; });
+  const auto row = std::ranges::find(rows, by, &world::ElementParameter::name);
   if (row == rows.end() || !row->names.empty()) return {};
   const double usual = row->usual != 0 ? std::abs(row->usual) : row->high - row->low;
   return {{SeekKind::parameter,
@@ -433,7 +432,6 @@ std::string words_of(const SeekGoal& command, const Numbers& numbers) {
 }
 
 std::string changed_text(std::string by, const Numbers& numbers, const std::vector<double>& values) {
-  by = base::sentence(std::move(by)), by.pop_back();
   by = base::sentence(std::move(by)), by.pop_back();
   const std::string_view unit = numbers.front().unit;
   const std::string after = unit.empty() ? "" : fmt::format(" {}", unit);

@@ -82,8 +82,7 @@ Status perform(Session& session, Change&, const SetPolyline& command) {
   return {};
 }
 Status perform(Session& session, Change&, const ShowLayer& command) {
-  const Status known = known_row(command.what);
-  if (!known) return known;
+  if (const Status known = known_row(command.what); !known) return known;
   session.settings.lab->layers.set(command.what, command.to);
   return {};
 }
@@ -127,8 +126,7 @@ Status perform(Session& session, Change& change, const SetSnapping& command) {
 }
 
 Status perform(Session& session, Change&, const RideStart&) {
-  const Status status = rideable(session);
-  if (!status) return status;
+  if (const Status status = rideable(session); !status) return status;
   const bool over = session.motion.state == RideState::ended || session.motion.state == RideState::failed;
   const bool from_start = over || session.motion.state == RideState::stopped;
   watch_start(session, from_start);
@@ -139,8 +137,7 @@ Status perform(Session& session, Change&, const RideStart&) {
 }
 
 Status perform(Session& session, Change&, const RidePause&) {
-  const Status status = rideable(session);
-  if (!status) return status;
+  if (const Status status = rideable(session); !status) return status;
   if (session.motion.state != RideState::running && session.motion.state != RideState::paused)
     return refused("the ride is not running");
   session.motion.state = RideState::paused;
@@ -148,16 +145,14 @@ Status perform(Session& session, Change&, const RidePause&) {
 }
 
 Status perform(Session& session, Change&, const RideStop&) {
-  const Status status = rideable(session);
-  if (!status) return status;
+  if (const Status status = rideable(session); !status) return status;
   sim::reset(session.document, session.derived, session.motion);
   watch_reset(session);
   return {};
 }
 
 Status perform(Session& session, Change& change, const RideStep& command) {
-  const Status status = rideable(session);
-  if (!status) return status;
+  if (const Status status = rideable(session); !status) return status;
   if (session.motion.state == RideState::running) return refused("the ride is running: pause it first");
   if (session.motion.state == RideState::ended || session.motion.state == RideState::failed)
     return refused("the ride has ended: stop or start it first");
@@ -171,8 +166,7 @@ Status perform(Session& session, Change& change, const RideStep& command) {
 }
 
 Status perform(Session& session, Change&, const RideSeek& command) {
-  const Status status = rideable(session);
-  if (!status) return status;
+  if (const Status status = rideable(session); !status) return status;
   const double length = session.derived.length, end = std::max(length, double{static_cast<float>(length)});
   if (const Status on = within("a distance along the track", command.to, 0, end, "m"); !session.derived.closed && !on)
     return on;

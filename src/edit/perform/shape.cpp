@@ -30,7 +30,7 @@ constexpr double kShortChord = 1e-4;  // m; a spline's step is never shorter
 struct KnotsInOrder {
   world::Document& document;
   std::size_t count = document.track.knots.size();
-  Knot& knot(std::size_t place) const { return document.entities.get<Knot>(document.track.knots[place % count]); }
+  Knot& knot(std::size_t place) const { return nth_knot(document, place); }
   dvec3 position(std::size_t place) const { return dvec3(knot(place).position); }
   bool has_before(std::size_t place) const { return document.track.closed || place > 0; }
   bool has_after(std::size_t place) const { return document.track.closed || place + 1 < count; }

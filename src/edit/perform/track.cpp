@@ -9,7 +9,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/knot_runs.h"
-#include "edit/perform/perform_context.h"
+#include "edit/perform/replan.h"
 #include "sim/ground/land.h"
 #include "world/topology.h"
 
@@ -50,15 +50,12 @@ Status append_at(Session& session, Change& change, glm::vec3 position) {
   world::Document& document = session.document;
   const std::size_t knots = document.track.knots.size();
   if (document.track.closed) return refused(std::string(world::kClosedTrack));
-  const Status room = room_for(session, knots + 1, knots);
-  if (!room) return room;
+  if (const Status room = room_for(session, knots + 1, knots); !room) return room;
   const world::Knot knot = appended_knot(document, position);
   reshape_end(document, true, position);
   if (knots > 0) change.respun.push_back(document.track.knots.back());
   change.select = world::append_knot(document, knot);
-  // A first segment gets a train, so that there is something to watch.
-  if (document.track.segments.size() == 1 && document.entities.pool<world::Train>().size() == 0)
-    world::add_cart(document, document.track.segments.front(), 0.0);
+  if (document.track.segments.size() == 1) add_first_train(document);
   return {};
 }
 
@@ -93,6 +90,18 @@ Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
   world::orthonormalise(knot);
   shaped_by_hand(knot);  // its neighbours have changed
   return knot;
+}
+
+// Trains have one paint for the whole track.
+Status paint_sections(Session& session, const Sections& named, const auto& change) {
+  const auto sections = chosen_sections(session, named);
+  if (!sections) return sections.status();
+  for (const world::Entity e : *sections) {
+    world::Paint& paint = session.document.entities.get<world::Section>(e).paint;
+    change(paint);
+    paint.train = {};
+  }
+  return {};
 }
 
 }  // namespace
@@ -147,8 +156,7 @@ Status perform(Session& session, Change& change, const SetClosed& command) {
   if (command.to == track.closed) return {};
   if (command.to) {
     if (track.knots.size() < 2) return refused("a closed track needs at least 2 knots");
-    const Status room = room_for(session, track.knots.size(), track.knots.size());
-    if (!room) return room;
+    if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;
     close_by_segment(document, kLongestClosing);
   } else {
     world::set_closed(document, false);
@@ -264,24 +272,6 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
 }
 
 // --- The coaster's kind and paint
-
-using base::Status;
-
-namespace {
-
-// Trains have one paint for the whole track.
-Status paint_sections(Session& session, const Sections& named, const auto& change) {
-  const auto sections = chosen_sections(session, named);
-  if (!sections) return sections.status();
-  for (const world::Entity e : *sections) {
-    world::Paint& paint = session.document.entities.get<world::Section>(e).paint;
-    change(paint);
-    paint.train = {};
-  }
-  return {};
-}
-
-}  // namespace
 
 Status perform(Session& session, Change& change, const SetKind& command) {
   world::Document& document = session.document;

@@ -36,6 +36,23 @@ bool step_over(History& history, From& from, To& to, world::Document& document) 
   return true;
 }
 
+// The labels of buttons that differ from their command's name.
+constexpr std::pair<std::string_view, std::string_view> kLabels[] = {
+    {"auto_bank", "Auto-bank"},    {"complete", "Complete circuit"}, {"equalise", "Equalise handles"},
+    {"equip", "Equipment"},        {"losses.set", "Losses"},         {"seek", "Goal"},
+    {"section.equip", "Equipment"}};
+
+std::string label_of(std::string_view command) {
+  const auto* const row = std::ranges::find(kLabels, command, &std::pair<std::string_view, std::string_view>::first);
+  if (row != std::end(kLabels)) return std::string(row->second);
+  std::string words(command);
+  for (char& c : words)
+    if (c == '_' || c == '.') c = ' ';
+  words = base::sentence(std::move(words));
+  words.pop_back();
+  return words;
+}
+
 }  // namespace
 
 void notify(Session& session, NoticeKind kind, std::string text) {
@@ -95,27 +112,6 @@ world::Entity chosen_cart(const Session& session) {
   const bool selected = session.document.entities.find<world::Train>(session.settings.selected) != nullptr;
   return selected ? session.settings.selected : world::first_cart(session.document);
 }
-
-namespace {
-
-// The labels of buttons that differ from their command's name.
-constexpr std::pair<std::string_view, std::string_view> kLabels[] = {
-    {"auto_bank", "Auto-bank"},    {"complete", "Complete circuit"}, {"equalise", "Equalise handles"},
-    {"equip", "Equipment"},        {"losses.set", "Losses"},         {"seek", "Goal"},
-    {"section.equip", "Equipment"}};
-
-std::string label_of(std::string_view command) {
-  const auto* const row = std::ranges::find(kLabels, command, &std::pair<std::string_view, std::string_view>::first);
-  if (row != std::end(kLabels)) return std::string(row->second);
-  std::string words(command);
-  for (char& c : words)
-    if (c == '_' || c == '.') c = ' ';
-  words = base::sentence(std::move(words));
-  words.pop_back();
-  return words;
-}
-
-}  // namespace
 
 const sim::ForceLimitCurves& force_limits(const Session& session) {
   return session.limits.loaded ? *session.limits.loaded : sim::default_envelope(session.document.kind);

@@ -15,9 +15,9 @@ namespace coaster::exchange {
 
 using Cells = std::array<std::string_view, kNl2Columns.size()>;
 
-inline std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  return text.substr(0, text.find_last_not_of(' ') + 1);
+inline std::string_view trimmed(std::string_view text, std::string_view blanks = " ") {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 // Returns a cell's text without blanks and quotes around it, a number without a plus sign.

@@ -221,14 +221,8 @@ bool make_track(ElementReader& r) {
 }
 
 constexpr double kElementSquare = 0.05;  // tolerance for unit and perpendicular frames
-constexpr double kSameVertex = 1e-6;     // m between the last and the first vertex of a closed track
-
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
-}
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr double kSameVertex = 1e-6;  // m between the last and the first vertex of a closed track
 
 // Tags mean the same in any case: one that was left out for its case would change the track.
 bool is_tag(const XMLElement& element, std::string_view tag) { return base::lower(element.Name()) == tag; }
@@ -239,7 +233,7 @@ std::string text_of(const XMLElement& element) {
   for (const tinyxml2::XMLNode* node = element.FirstChild(); node; node = node->NextSibling())
     if (node->ToText()) text += node->Value();
     else if (node->ToElement()) text += fmt::format("<{}>", node->Value());
-  return std::string(without_blanks(text));
+  return std::string(trimmed(text, kBlanks));
 }
 
 // Finds the tag in `parent`; null if there is none. Fails on a second one.
@@ -309,7 +303,7 @@ bool read_weight(ElementReader& r, const XMLElement& vertex, double& weight) {
     return true;
   };
   for (const tinyxml2::XMLAttribute* a = vertex.FirstAttribute(); a; a = a->Next())
-    if (!take(a->GetLineNum(), a->Name(), fmt::format("the attribute {}", a->Name()), without_blanks(a->Value())))
+    if (!take(a->GetLineNum(), a->Name(), fmt::format("the attribute {}", a->Name()), trimmed(a->Value(), kBlanks)))
       return false;
   for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement())
     if (!take(e->GetLineNum(), e->Name(), fmt::format("<{}>", e->Name()), text_of(*e))) return false;

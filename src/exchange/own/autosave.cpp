@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
@@ -154,8 +155,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     if (!pid || base::process_runs(*pid)) continue;  // without a number it is none of ours
     remove_file(files, folder / entry.name);
   }
-  std::sort(found.begin(), found.end(),
-            [](const FoundAutosave& a, const FoundAutosave& b) { return a.info.time > b.info.time; });
+  std::ranges::sort(found, std::greater(), [](const FoundAutosave& autosave) { return autosave.info.time; });
   return found;
 }
 

@@ -56,14 +56,12 @@ std::string print_progress(const PlayerProgress& progress) {
 }
 
 const ChallengeProgress* find(const PlayerProgress& progress, std::string_view challenge) {
-  const auto found = std::find_if(progress.challenges.begin(), progress.challenges.end(),
-                                  [&](const ChallengeProgress& entry) { return entry.challenge == challenge; });
+  const auto found = std::ranges::find(progress.challenges, challenge, &ChallengeProgress::challenge);
   return found == progress.challenges.end() ? nullptr : &*found;
 }
 
 bool merge(PlayerProgress& progress, const ChallengeProgress& success) {
-  const auto found = std::find_if(progress.challenges.begin(), progress.challenges.end(),
-                                  [&](const ChallengeProgress& entry) { return entry.challenge == success.challenge; });
+  const auto found = std::ranges::find(progress.challenges, success.challenge, &ChallengeProgress::challenge);
   if (found == progress.challenges.end()) {
     progress.challenges.push_back(success);
     return true;
@@ -71,8 +69,7 @@ bool merge(PlayerProgress& progress, const ChallengeProgress& success) {
   const ChallengeProgress before = *found;
   found->medal = std::max(found->medal, success.medal);
   for (const BestValue& value : success.best) {
-    const auto known = std::find_if(found->best.begin(), found->best.end(),
-                                    [&](const BestValue& best) { return best.query == value.query; });
+    const auto known = std::ranges::find(found->best, value.query, &BestValue::query);
     if (known == found->best.end()) found->best.push_back(value);
     else if (known->less_is_better != value.less_is_better) *known = value;  // the challenge has been rewritten
     else if (value.less_is_better ? value.value < known->value : value.value > known->value) known->value = value.value;

@@ -237,7 +237,7 @@ std::string print_settings(const UserSettings& settings) {
 }
 
 void remember(std::vector<std::string>& recent, std::string file) {
-  recent.erase(std::remove(recent.begin(), recent.end(), file), recent.end());
+  std::erase(recent, file);
   recent.insert(recent.begin(), std::move(file));
   if (recent.size() > kMaxRecent) recent.resize(kMaxRecent);
 }

@@ -181,8 +181,7 @@ std::string print_track(const Document& document) {
   print_list(out, "segments", document, document.track.segments, segment_line);
   print_list(out, "sections", document, world::sections_of(document), section_line);
   std::vector<Entity> carts = document.entities.pool<world::Train>().entities();
-  std::sort(carts.begin(), carts.end(),
-            [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
+  std::ranges::sort(carts, {}, [&](Entity cart) { return world::name_of(document, cart); });
   print_list(out, "carts", document, carts, component_line<world::Train>);
   return out + extra_members(document.extra, ",\n  ") + "\n}\n";
 }

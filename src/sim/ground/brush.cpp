@@ -13,10 +13,8 @@ namespace {
 
 using world::GroundTile;
 
-constexpr int kCells = world::kGroundTileCells, kWoodsCells = kCells / 2;
-constexpr int kHalf = world::kGroundTilesAcross / 2 * kCells;  // vertices of the square from -kHalf to kHalf - 1
-
-int tile_index(int index, int cells) { return index >= 0 ? index / cells : -((cells - 1 - index) / cells); }
+// Vertices of the square are from -kHalf to kHalf - 1.
+constexpr int kHalf = world::kGroundTilesAcross / 2 * world::kGroundTileCells;
 
 // Whole numbers from `low` to `high`.
 struct VertexRange {
@@ -38,16 +36,13 @@ class TouchedTiles {
     const double steps =
         std::floor(std::clamp(height, -world::kHighestGround, world::kHighestGround) / world::kHeightStep + 0.5);
     if (std::fabs(steps * world::kHeightStep - before) < 0.5 * world::kHeightStep) return;
-    const int x = tile_index(at.x, kCells), z = tile_index(at.z, kCells);
-    tile(x, z).heights[static_cast<std::size_t>((at.z - z * kCells) * kCells + at.x - x * kCells)] =
-        static_cast<std::int16_t>(steps);
+    const TileVertex in = tile_vertex(at);
+    tile(in.tile).heights[in.height] = static_cast<std::int16_t>(steps);
   }
-  // `cell` counts cells of woods.
-  void set_woods(GroundVertex cell, std::uint8_t to) {
-    const int x = tile_index(cell.x, kWoodsCells), z = tile_index(cell.z, kWoodsCells);
-    const auto i = static_cast<std::size_t>((cell.z - z * kWoodsCells) * kWoodsCells + cell.x - x * kWoodsCells);
-    const GroundTile* const held = land_.park().tiles.find(place(x, z));
-    if ((held ? held->woods[i] : 0) != to) tile(x, z).woods[i] = to;
+  void set_woods(GroundVertex at, std::uint8_t to) {
+    const TileVertex in = tile_vertex(at);
+    const GroundTile* const held = land_.park().tiles.find(in.tile);
+    if ((held ? held->woods[in.woods] : 0) != to) tile(in.tile).woods[in.woods] = to;
   }
 
   world::GroundTiles finish() const {
@@ -58,12 +53,11 @@ class TouchedTiles {
   }
 
  private:
-  static world::TilePlace place(int x, int z) { return {static_cast<std::int16_t>(x), static_cast<std::int16_t>(z)}; }
-  GroundTile& tile(int x, int z) {
-    const auto found = tiles_.find(place(x, z));
+  GroundTile& tile(world::TilePlace place) {
+    const auto found = tiles_.find(place);
     if (found != tiles_.end()) return found->second;
-    const GroundTile* const held = land_.park().tiles.find(place(x, z));
-    return tiles_.emplace(place(x, z), held ? *held : GroundTile()).first->second;
+    const GroundTile* const held = land_.park().tiles.find(place);
+    return tiles_.emplace(place, held ? *held : GroundTile()).first->second;
   }
   const Land& land_;
   std::map<world::TilePlace, GroundTile> tiles_;
@@ -90,15 +84,21 @@ void each_vertex(glm::dvec2 a, glm::dvec2 b, double radius, auto visit) {
   }
 }
 
+// Gives each vertex of each_vertex() the height `to(before, share, way)`; `before`: the one that it has.
+world::GroundTiles shaped(const Land& land, glm::dvec2 a, glm::dvec2 b, double radius, const auto& to) {
+  TouchedTiles touched(land);
+  each_vertex(a, b, radius, [&](GroundVertex at, double share, double way) {
+    const double before = land.vertex(at);
+    touched.set_height(at, before, to(before, share, way));
+  });
+  return touched.finish();
+}
+
 }  // namespace
 
 world::GroundTiles raised(const Land& land, Brush brush, double by) {
-  TouchedTiles touched(land);
-  each_vertex(brush.at, brush.at, brush.radius, [&](GroundVertex at, double share, double) {
-    const double before = land.vertex(at);
-    touched.set_height(at, before, before + share * by);
-  });
-  return touched.finish();
+  return shaped(land, brush.at, brush.at, brush.radius,
+                [&](double before, double share, double) { return before + share * by; });
 }
 
 world::GroundTiles smoothed(const Land& land, Brush brush) {
@@ -128,22 +128,14 @@ world::GroundTiles smoothed(const Land& land, Brush brush) {
 }
 
 world::GroundTiles flattened(const Land& land, Brush brush, double to) {
-  TouchedTiles touched(land);
-  each_vertex(brush.at, brush.at, brush.radius, [&](GroundVertex at, double share, double) {
-    const double before = land.vertex(at);
-    touched.set_height(at, before, mixed(before, to, share));
-  });
-  return touched.finish();
+  return shaped(land, brush.at, brush.at, brush.radius,
+                [&](double before, double share, double) { return mixed(before, to, share); });
 }
 
 world::GroundTiles sloped(const Land& land, glm::dvec2 from, glm::dvec2 to, double radius) {
   const double first = land.height(from.x, from.y), last = land.height(to.x, to.y);
-  TouchedTiles touched(land);
-  each_vertex(from, to, radius, [&](GroundVertex at, double share, double way) {
-    const double before = land.vertex(at);
-    touched.set_height(at, before, mixed(before, mixed(first, last, way), share));
-  });
-  return touched.finish();
+  return shaped(land, from, to, radius,
+                [&](double before, double share, double way) { return mixed(before, mixed(first, last, way), share); });
 }
 
 world::GroundTiles wooded(const Land& land, Brush brush, std::optional<double> to) {
@@ -159,7 +151,7 @@ world::GroundTiles wooded(const Land& land, Brush brush, std::optional<double> t
     for (int x = columns.low; x <= columns.high; ++x) {
       const glm::dvec2 out = kCell * glm::dvec2(x, z) - middle;
       const double radii = std::sqrt(out.x * out.x + out.y * out.y) / brush.radius;
-      if (radii < 1 && random_at(x, z, kRim) < 4 * (1 - radii)) touched.set_woods({x, z}, value);
+      if (radii < 1 && random_at(x, z, kRim) < 4 * (1 - radii)) touched.set_woods({2 * x, 2 * z}, value);
     }
   }
   return touched.finish();

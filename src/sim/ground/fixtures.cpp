@@ -1,6 +1,5 @@
 #include "sim/ground/fixtures.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,10 +7,6 @@
 
 namespace coaster::sim {
 namespace {
-
-LandVertex vertex_of(const EarthVertex& from) {
-  return {from.position, land_finish(from.normal, from.paint, from.ambient)};
-}
 
 // Adds an upright box without a bottom.
 void add_post_box(EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 paint) {
@@ -27,11 +22,8 @@ void add_post_box(EarthMesh& mesh, glm::vec3 low, glm::vec3 high, glm::vec3 pain
                                    {{0, 0, 1}, {4, 5, 7, 6}},
                                    {{0, 0, -1}, {0, 2, 3, 1}},
                                    {{0, 1, 0}, {2, 6, 7, 3}}}};
-  for (const Side& side : sides) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const int i : side.corners) mesh.vertices.push_back({corner(i), side.normal, paint, 0.9f});
-    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
-  }
+  for (const auto& [normal, c] : sides)
+    mesh.add_quad({corner(c[0]), corner(c[1]), corner(c[2]), corner(c[3])}, normal, paint, {0.9f, 0.9f, 0.9f, 0.9f});
 }
 
 // Adds the earth below and beside the cells that are left open at a portal, so that no sky shows through them.
@@ -40,11 +32,8 @@ void add_pit(EarthMesh& mesh, const Ground& ground, const TunnelGate& gate) {
   constexpr int kReach = 6;  // cells about the gate
   const TrackRoom& room = ground.room();
   const double cell = world::kGroundCell, floor = gate.at.y + room.lift - room.tube - 0.5;
-  const auto add = [&](const std::array<glm::dvec3, 4>& corners, glm::dvec3 normal, float ambient) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const glm::dvec3& at : corners)
-      mesh.vertices.push_back({glm::vec3(at), glm::vec3(normal), kPitEarth, ambient});
-    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + i);
+  const auto add = [&](const std::array<glm::vec3, 4>& corners, glm::vec3 normal, float ambient) {
+    mesh.add_quad(corners, normal, kPitEarth, {ambient, ambient, ambient, ambient});
   };
   const int column = static_cast<int>(std::floor(gate.at.x / cell)),
             row = static_cast<int>(std::floor(gate.at.z / cell));
@@ -52,7 +41,7 @@ void add_pit(EarthMesh& mesh, const Ground& ground, const TunnelGate& gate) {
     for (int x = column - kReach; x <= column + kReach; ++x) {
       if (!is_open(ground, {x, z})) continue;
       const auto corner = [&](int dx, int dz) { return glm::dvec2(cell * (x + dx), cell * (z + dz)); };
-      const auto at = [&](glm::dvec2 p, double y) { return glm::dvec3(p.x, y, p.y); };
+      const auto at = [&](glm::dvec2 p, double y) { return glm::vec3(p.x, y, p.y); };
       add({at(corner(0, 0), floor), at(corner(0, 1), floor), at(corner(1, 1), floor), at(corner(1, 0), floor)},
           {0, 1, 0}, 0.35f);
       // Walls to the cells around, down to the tube where it passes.
@@ -61,12 +50,10 @@ void add_pit(EarthMesh& mesh, const Ground& ground, const TunnelGate& gate) {
       for (const auto& [dx, dz, ax, az, bx, bz] : sides) {
         if (is_open(ground, {x + dx, z + dz})) continue;
         const glm::dvec2 a = corner(ax, az), b = corner(bx, bz), middle = 0.5 * (a + b);
-        const glm::dvec2 from = middle - glm::dvec2(gate.at.x, gate.at.z);
-        const bool at_tube = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x) < room.tube + 0.3;
-        const double low = at_tube ? gate.at.y + room.lift + room.tube : floor;
+        const double low = gate.aside(middle) < room.tube + 0.3 ? gate.at.y + room.lift + room.tube : floor;
         const double high_a = ground.height(a.x, a.y), high_b = ground.height(b.x, b.y);
         if (std::fmin(high_a, high_b) <= low) continue;
-        add({at(a, low), at(b, low), at(b, high_b), at(a, high_a)}, glm::dvec3(-dx, 0, -dz), 0.55f);
+        add({at(a, low), at(b, low), at(b, high_b), at(a, high_a)}, glm::vec3(-dx, 0, -dz), 0.55f);
       }
     }
   }
@@ -88,7 +75,7 @@ FixtureMesh fixture_mesh(const Ground& ground, std::span<const Lamp> posts, std:
   FixtureMesh mesh;
   mesh.indices = std::move(earth.indices);
   for (const EarthVertex& vertex : earth.vertices) {
-    mesh.vertices.push_back(vertex_of(vertex));
+    mesh.vertices.push_back({vertex.position, land_finish(vertex.normal, vertex.paint, vertex.ambient)});
     float sum = 0;
     for (const Lamp& lamp : lit) sum += lamp_light(lamp, vertex.position, vertex.normal);
     mesh.light.push_back({static_cast<std::uint8_t>(vertex.ambient < 0.5f ? 0 : 255), byte_of(0.5f * sum)});

@@ -7,7 +7,6 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
-#include "sim/ground/height_ray.h"
 #include "sim/ground/noise.h"
 #include "world/sections.h"
 
@@ -15,8 +14,8 @@ namespace coaster::sim {
 namespace {
 
 constexpr double kReach = 44;  // m, level distance from track up to which it may change the ground
-constexpr double kTile = world::kGroundTileCells * world::kGroundCell;  // m
-constexpr double kBend = 1.5;                                           // m, how much the edge of a cut is rounded
+constexpr double kTile = GroundPatch::kLength;
+constexpr double kBend = 1.5;  // m, how much the edge of a cut is rounded
 
 // Height of the bottom and the sides of a cut, over its bottom, by the level distance from the track. The sides become
 // steeper, so that they come out of any hill within kReach.
@@ -90,13 +89,7 @@ void Ground::take_square(const DerivedTrack& derived) {
 }
 
 void Ground::mark_near(const TrackSample& sample) {
-  const int half = across_ / 2;
-  for (int z = tile_of(sample.at.z - kReach); z <= tile_of(sample.at.z + kReach); ++z)
-    for (int x = tile_of(sample.at.x - kReach); x <= tile_of(sample.at.x + kReach); ++x)
-      if (x >= -half && x < half && z >= -half && z < half) {
-        std::uint8_t& stale = stale_[static_cast<std::size_t>((z + half) * across_ + x + half)];
-        stale = std::max<std::uint8_t>(stale, 1);
-      }
+  each_patch_near(sample.at, kReach, [&](std::size_t i) { stale_[i] = std::max<std::uint8_t>(stale_[i], 1); });
 }
 
 // Updates the samples and the tunnels, and marks the patches near those that differ. Returns true if any does.
@@ -260,14 +253,10 @@ void Ground::build_patches() {
     if (stale_[i] != 0) stale.push_back(i);
   if (stale.empty()) return;
   std::vector<std::vector<std::size_t>> near(patches_.size());
-  const int half = across_ / 2;
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const glm::dvec3 at = samples_[s].at;
-    for (int z = std::max(tile_of(at.z - kReach), -half); z <= std::min(tile_of(at.z + kReach), half - 1); ++z)
-      for (int x = std::max(tile_of(at.x - kReach), -half); x <= std::min(tile_of(at.x + kReach), half - 1); ++x)
-        if (const auto i = static_cast<std::size_t>((z + half) * across_ + x + half); stale_[i] != 0)
-          near[i].push_back(s);
-  }
+  for (std::size_t s = 0; s < samples_.size(); ++s)
+    each_patch_near(samples_[s].at, kReach, [&](std::size_t i) {
+      if (stale_[i] != 0) near[i].push_back(s);
+    });
   const std::uint64_t build = build_ + 1;
   base::in_parts(stale.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -311,9 +300,7 @@ float Ground::cut(GroundVertex vertex, float land, std::span<const Digging> near
 double Ground::behind_gates(glm::dvec2 at) const {
   double most = std::numeric_limits<double>::max();
   for (const TunnelGate& gate : gates_) {
-    const glm::dvec2 from = at - glm::dvec2(gate.at.x, gate.at.z);
-    const double behind = glm::dot(from, gate.inwards),
-                 aside = std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x);
+    const double behind = gate.behind(at), aside = gate.aside(at);
     if (behind < -4 || behind > 34 || aside > 40) continue;
     most = std::fmin(most, gate.at.y + room_.lift + room_.tube + 1.8 + 0.85 * std::fmax(0.0, behind - 1) +
                                0.9 * std::fmax(0.0, aside - room_.tube - 2.6));

@@ -15,18 +15,26 @@ namespace coaster::sim {
 // Heights of 32x32 cells, with the vertices on all four sides.
 struct GroundPatch {
   static constexpr int kSide = world::kGroundTileCells + 1;
+  static constexpr double kLength = world::kGroundTileCells * world::kGroundCell;  // m
   world::TilePlace place;
   std::array<float, kSide * kSide> land{}, heights{};  // m, rows along x: before the cut, and after it
   float low = 0, high = 0;                             // m, of `heights`
   std::uint64_t build = 0;                             // a new number when heights change
   float height(int x, int z) const { return heights[static_cast<std::size_t>(z * kSide + x)]; }
-  glm::vec2 corner() const { return float(world::kGroundTileCells * world::kGroundCell) * glm::vec2(place.x, place.z); }
+  glm::vec2 corner() const { return float(kLength) * glm::vec2(place.x, place.z); }
 };
 
 // An end of a tunnel: the middle of the rails there, and the level direction into the tunnel.
 struct TunnelGate {
   glm::dvec3 at{0};
   glm::dvec2 inwards{1, 0};  // unit, (x, z)
+  // Returns the way from the gate to a place (x, z), and its parts along `inwards` and across them, m.
+  glm::dvec2 level_way_to(glm::dvec2 place) const { return place - glm::dvec2(at.x, at.z); }
+  double behind(glm::dvec2 place) const { return glm::dot(level_way_to(place), inwards); }
+  double aside(glm::dvec2 place) const {
+    const glm::dvec2 from = level_way_to(place);
+    return std::fabs(from.x * inwards.y - from.y * inwards.x);
+  }
 };
 
 class Ground {
@@ -49,6 +57,10 @@ class Ground {
   // `most`; nothing if it does not, or begins below it.
   std::optional<double> meet(glm::dvec3 origin, glm::dvec3 direction, double most = 5000) const;
   bool in_square(double x, double z) const;
+  // Calls visit(patch), by index, row by row: for the patches that have ground within `reach` m of a place to each
+  // side, and for those that touch a patch, and itself.
+  void each_patch_near(glm::dvec3 at, double reach, const auto& visit) const;
+  void each_patch_around(std::size_t patch, const auto& visit) const;
 
   int tiles_across() const { return across_; }                       // 0: plain
   std::span<const GroundPatch> patches() const { return patches_; }  // row by row
@@ -75,6 +87,7 @@ class Ground {
   void take_square(const DerivedTrack& derived);
   bool take_samples(const world::Document& document, const DerivedTrack& derived, bool all);
   void find_gates();
+  void each_patch(glm::ivec2 first, glm::ivec2 last, const auto& visit) const;
   void mark_near(const TrackSample& sample);
   void build_patches();
   struct Digging;
@@ -98,5 +111,21 @@ class Ground {
   double track_length_ = 0;                                    // m
   int rebuilds_ = 0;
 };
+
+// From one column and row to another one, as far as there are patches.
+void Ground::each_patch(glm::ivec2 first, glm::ivec2 last, const auto& visit) const {
+  for (int z = std::max(first.y, 0); z <= std::min(last.y, across_ - 1); ++z)
+    for (int x = std::max(first.x, 0); x <= std::min(last.x, across_ - 1); ++x)
+      visit(static_cast<std::size_t>(z * across_ + x));
+}
+void Ground::each_patch_near(glm::dvec3 at, double reach, const auto& visit) const {
+  const glm::dvec2 place(at.x, at.z);
+  const auto patch = [&](glm::dvec2 p) { return glm::ivec2(glm::floor(p / GroundPatch::kLength)) + across_ / 2; };
+  each_patch(patch(place - reach), patch(place + reach), visit);
+}
+void Ground::each_patch_around(std::size_t patch, const auto& visit) const {
+  const glm::ivec2 at(static_cast<int>(patch) % across_, static_cast<int>(patch) / across_);
+  each_patch(at - 1, at + 1, visit);
+}
 
 }  // namespace coaster::sim

@@ -17,8 +17,6 @@ struct Lamp {
   friend bool operator==(const Lamp&, const Lamp&) = default;
 };
 inline constexpr float kLampReach = 26;  // m
-// Its light, of the colour (1, 0.62, 0.30).
-inline constexpr glm::vec3 kLampLight{1, 0.62f, 0.30f};
 
 std::vector<Lamp> lamps_of(const Ground& ground);
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/ground/height_ray.h"
 #include "sim/ground/noise.h"
 
 namespace coaster::sim {
@@ -131,9 +130,16 @@ class SeededLand {
   double x_, z_, from_origin_, bent_x_, bent_z_;  // m; bent: the place in wavy coordinates, against straight ridges
 };
 
-int floored(int value, int by) { return value >= 0 ? value / by : -((by - 1 - value) / by); }
-
 }  // namespace
+
+TileVertex tile_vertex(GroundVertex at) {
+  constexpr int kCells = world::kGroundTileCells;
+  const auto tile = [](int vertex) { return vertex >= 0 ? vertex / kCells : -((kCells - 1 - vertex) / kCells); };
+  const int x = tile(at.x), z = tile(at.z), column = at.x - x * kCells, row = at.z - z * kCells;
+  return {{static_cast<std::int16_t>(x), static_cast<std::int16_t>(z)},
+          static_cast<std::size_t>(row * kCells + column),
+          static_cast<std::size_t>(row / 2 * (kCells / 2) + column / 2)};
+}
 
 double Land::seeded(double x, double z) const {
   if (plain()) return 0;
@@ -144,11 +150,9 @@ double Land::seeded(double x, double z) const {
 double Land::vertex(GroundVertex at) const {
   if (plain()) return 0;
   if (!park_.tiles.empty()) {
-    const int x = floored(at.x, world::kGroundTileCells), z = floored(at.z, world::kGroundTileCells);
-    const world::TilePlace place{static_cast<std::int16_t>(x), static_cast<std::int16_t>(z)};
-    if (const world::GroundTile* const tile = world::in_square(place) ? park_.tiles.find(place) : nullptr) {
-      const int column = at.x - x * world::kGroundTileCells, row = at.z - z * world::kGroundTileCells;
-      const std::int16_t height = tile->heights[static_cast<std::size_t>(row * world::kGroundTileCells + column)];
+    const TileVertex held = tile_vertex(at);
+    if (const world::GroundTile* const tile = park_.tiles.find(held.tile)) {
+      const std::int16_t height = tile->heights[held.height];
       if (height != world::GroundTile::kSeeded) return height * world::kHeightStep;
     }
   }

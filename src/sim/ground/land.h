@@ -14,6 +14,14 @@ namespace coaster::sim {
 struct GroundVertex {
   int x = 0, z = 0;
 };
+// Where the tiles of a park hold a vertex: indices into the members of a GroundTile. `woods` is of the cell of woods
+// whose lower sides it is at or beyond.
+struct TileVertex {
+  world::TilePlace tile;
+  std::size_t height, woods;
+};
+TileVertex tile_vertex(GroundVertex at);
+
 // Returns the height at a place of a grid of vertices. Each cell is two triangles, divided by the diagonal with the
 // smaller difference of heights, as it is drawn.
 double height_between(double x, double z, auto&& vertex_height);
@@ -56,6 +64,29 @@ inline double height_between(double x, double z, auto&& vertex_height) {
   if (std::fabs(a - d) <= std::fabs(b - c))  // the diagonal from a to d
     return p >= q ? a + (b - a) * p + (d - b) * q : a + (d - c) * p + (c - a) * q;
   return p + q <= 1 ? a + (b - a) * p + (c - a) * q : d + (c - d) * (1 - p) + (b - d) * (1 - q);
+}
+
+// Returns the distance (m) at which a ray from `origin` along the unit `direction` first meets the heights, at most
+// `most`; nothing if it does not, or begins below them. Misses what rises above the ray for less than a step.
+std::optional<double> meet_heights(glm::dvec3 origin, glm::dvec3 direction, double most, auto&& height) {
+  const auto over = [&](double t) {
+    const glm::dvec3 p = origin + t * direction;
+    return p.y - height(p.x, p.z);
+  };
+  double margin = over(0), before = 0;
+  if (margin < 0) return std::nullopt;
+  for (double t = 0; t < most; before = t) {
+    // Steps of half a cell near the eye, longer far away and high above all land.
+    t = std::fmin(t + std::fmax(0.5 * world::kGroundCell * (1 + t / 200), 0.25 * margin), most);
+    margin = over(t);
+    if (margin >= 0) continue;
+    for (double low = before, high = t;;) {
+      const double middle = 0.5 * (low + high);
+      if (high - low < 1e-5 || middle <= low || middle >= high) return high;
+      (over(middle) >= 0 ? low : high) = middle;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace coaster::sim

@@ -140,8 +140,8 @@ glm::vec3 LandMesh::place(std::size_t patch, std::size_t vertex) const {
   const VertexRect rect = rect_of(patch);
   const int x = rect.x0 + static_cast<int>(vertex) % LandPatch::kSide,
             z = rect.z0 + static_cast<int>(vertex) / LandPatch::kSide;
-  const float half = 0.5f * static_cast<float>(field_.across);
-  return {kCellSide * (static_cast<float>(x) - half), field_.height(x, z), kCellSide * (static_cast<float>(z) - half)};
+  const glm::vec2 at = kCellSide * (glm::vec2(x, z) - field_.half());
+  return {at.x, field_.height(x, z), at.y};
 }
 
 std::vector<LandVertex> LandMesh::vertices(std::size_t patch) const {
@@ -174,8 +174,8 @@ std::vector<std::uint16_t> LandMesh::triangles(std::size_t patch) const {
 
 float LandMesh::sun_over(glm::vec3 place) const {
   if (!sun_shines_ || patches_.empty()) return 1;
-  const float half = 0.5f * static_cast<float>(field_.across);
-  return sunlight(field_, {place.x / kCellSide + half, place.y, place.z / kCellSide + half}, sun_, highest_, false);
+  const glm::vec3 from(place.x / kCellSide + field_.half(), place.y, place.z / kCellSide + field_.half());
+  return sunlight(field_, from, sun_, highest_, false);
 }
 
 void LandMesh::reset(const Ground& ground) {
@@ -202,15 +202,8 @@ void LandMesh::reset(const Ground& ground) {
 // What each patch depends on, besides the heights of its neighbours.
 std::vector<LandMesh::Key> LandMesh::keys_of(const Ground& ground, const Plants* plants) const {
   std::vector<Key> keys(patches_.size());
-  const int tiles = ground.tiles_across(), half = tiles / 2;
-  constexpr double kTileSide = kPatchCells * world::kGroundCell;
   const auto mark = [&](glm::dvec3 at, double reach, glm::dvec3 value) {
-    const auto tile = [&](double v) { return static_cast<int>(std::floor(v / kTileSide)) + half; };
-    for (int z = std::max(tile(at.z - reach), 0); z <= std::min(tile(at.z + reach), tiles - 1); ++z)
-      for (int x = std::max(tile(at.x - reach), 0); x <= std::min(tile(at.x + reach), tiles - 1); ++x) {
-        std::uint64_t& key = keys[static_cast<std::size_t>(z * tiles + x)].track;
-        key = mixed_key(key, value);
-      }
+    ground.each_patch_near(at, reach, [&](std::size_t i) { keys[i].track = mixed_key(keys[i].track, value); });
   };
   for (const TrackSample& sample : ground.samples())
     if (!sample.tunnel) mark(sample.at, kEarthReach, sample.at);
@@ -219,10 +212,8 @@ std::vector<LandMesh::Key> LandMesh::keys_of(const Ground& ground, const Plants*
   for (std::size_t i = 0; i < keys.size(); ++i) {
     keys[i].ground = ground.patches()[i].build;
     if (plants == nullptr) continue;
-    const int x = static_cast<int>(i) % tiles, z = static_cast<int>(i) / tiles;
-    for (int dz = std::max(z - 1, 0); dz <= std::min(z + 1, tiles - 1); ++dz)
-      for (int dx = std::max(x - 1, 0); dx <= std::min(x + 1, tiles - 1); ++dx)
-        keys[i].plants = mixed_key(keys[i].plants, plants->build_of(static_cast<std::size_t>(dz * tiles + dx)));
+    ground.each_patch_around(i,
+                             [&](std::size_t k) { keys[i].plants = mixed_key(keys[i].plants, plants->build_of(k)); });
   }
   return keys;
 }
@@ -242,11 +233,11 @@ VertexRect LandMesh::take_heights(const GroundPatch& patch, const VertexRect& re
 }
 
 // Finds the shade of crowns and earth under low track for a patch, and returns where they differ.
-VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, const VertexRect& rect) {
+VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, std::size_t patch) {
   constexpr int kSide = LandPatch::kSide;
+  const VertexRect rect = rect_of(patch);
   std::array<float, std::size_t{kSide} * kSide> wood{}, earth{};
-  const float half = 0.5f * static_cast<float>(field_.across);
-  const glm::vec2 corner = kCellSide * (glm::vec2(rect.x0, rect.z0) - half);
+  const glm::vec2 corner = kCellSide * (glm::vec2(rect.x0, rect.z0) - field_.half());
   const auto near = [&](glm::vec2 at, float reach, auto&& visit) {
     const glm::vec2 from = (at - reach - corner) / kCellSide, to = (at + reach - corner) / kCellSide;
     for (int z = std::max(static_cast<int>(std::ceil(from.y)), 0);
@@ -255,19 +246,16 @@ VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, cons
            x <= std::min(static_cast<int>(to.x), kPatchCells) && to.x >= 0; ++x)
         visit(static_cast<std::size_t>(z * kSide + x), corner + kCellSide * glm::vec2(x, z));
   };
-  const int tiles = field_.across / kPatchCells, px = rect.x0 / kPatchCells, pz = rect.z0 / kPatchCells;
-  for (int z = std::max(pz - 1, 0); plants && z <= std::min(pz + 1, tiles - 1); ++z) {
-    for (int x = std::max(px - 1, 0); x <= std::min(px + 1, tiles - 1); ++x) {
-      for (const Plant& plant : plants->of(static_cast<std::size_t>(z * tiles + x))) {
-        if (plant.kind == PlantKind::rock) continue;
-        const bool tree = plant.kind != PlantKind::bush;
-        const float reach = (tree ? 4.5f : 2.0f) * plant.size, much = tree ? 0.55f : 0.4f;
-        const glm::vec2 foot(plant.foot.x, plant.foot.z);
-        near(foot, reach,
-             [&](std::size_t i, glm::vec2 at) { wood[i] += much * (1 - smooth(1, reach, glm::distance(at, foot))); });
-      }
-    }
-  }
+  const auto shade = [&](const Plant& plant) {
+    if (plant.kind == PlantKind::rock) return;
+    const bool tree = plant.kind != PlantKind::bush;
+    const float reach = (tree ? 4.5f : 2.0f) * plant.size, much = tree ? 0.55f : 0.4f;
+    const glm::vec2 foot(plant.foot.x, plant.foot.z);
+    near(foot, reach,
+         [&](std::size_t i, glm::vec2 at) { wood[i] += much * (1 - smooth(1, reach, glm::distance(at, foot))); });
+  };
+  if (plants != nullptr)
+    ground.each_patch_around(patch, [&](std::size_t i) { std::ranges::for_each(plants->of(i), shade); });
   const std::uint32_t seed = park_.seed + kEarthNoise;
   for (const TrackSample& sample : ground.samples()) {
     if (sample.tunnel) continue;
@@ -285,9 +273,9 @@ VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, cons
     for (int x = rect.x0; x <= rect.x1; ++x) {
       const auto i = static_cast<std::size_t>((z - rect.z0) * kSide + x - rect.x0);
       const std::size_t at = field_.at(x, z);
-      const std::uint8_t shade = byte_of(wood[i]), bare = byte_of(earth[i]);
-      if (shade != field_.wood[at] || bare != field_.earth[at]) changed.add(x, z);
-      field_.wood[at] = shade, field_.earth[at] = bare;
+      const std::uint8_t shaded = byte_of(wood[i]), bare = byte_of(earth[i]);
+      if (shaded != field_.wood[at] || bare != field_.earth[at]) changed.add(x, z);
+      field_.wood[at] = shaded, field_.earth[at] = bare;
     }
   }
   return changed;
@@ -295,10 +283,7 @@ VertexRect LandMesh::take_cover(const Ground& ground, const Plants* plants, cons
 
 // Marks vertices that must be computed again.
 void LandMesh::mark(const VertexRect& rect) {
-  if (rect.empty()) return;
-  for (std::size_t i = 0; i < patches_.size(); ++i)
-    if (const VertexRect part = rect.within(rect_of(i)); !part.empty() && part.z0 <= part.z1)
-      stale_[i].vertices.add(part);
+  for (std::size_t i = 0; i < patches_.size(); ++i) stale_[i].vertices.add(rect.within(rect_of(i)));
 }
 
 // Marks the patches whose sunlight may have changed with what is within the rectangle, up to `above` m over the lowest
@@ -313,18 +298,16 @@ void LandMesh::mark_shaded(const VertexRect& rect, float above) {
     shaded.add(VertexRect{rect.x0 + x, rect.z0 + z, rect.x1 + x, rect.z1 + z}.grown(2));
   }
   for (std::size_t i = 0; i < patches_.size(); ++i)
-    if (const VertexRect part = shaded.within(rect_of(i)); !part.empty() && part.z0 <= part.z1) stale_[i].light = true;
+    if (!shaded.within(rect_of(i)).empty()) stale_[i].light = true;
 }
 
 void LandMesh::mark_lamps(std::span<const Lamp> lamps) {
-  const bool same = std::ranges::equal(lamps, lamps_);
-  if (same) return;
+  if (std::ranges::equal(lamps, lamps_)) return;
   lamps_.assign(lamps.begin(), lamps.end());
-  const float half = 0.5f * static_cast<float>(field_.across);
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const VertexRect rect = rect_of(i);
-    const glm::vec2 low = kCellSide * (glm::vec2(rect.x0, rect.z0) - half) - kLampReach,
-                    high = kCellSide * (glm::vec2(rect.x1, rect.z1) - half) + kLampReach;
+    const glm::vec2 low = kCellSide * (glm::vec2(rect.x0, rect.z0) - field_.half()) - kLampReach,
+                    high = kCellSide * (glm::vec2(rect.x1, rect.z1) - field_.half()) + kLampReach;
     std::uint64_t key = 0;
     for (const Lamp& lamp : lamps)
       if (lamp.at.x > low.x && lamp.at.x < high.x && lamp.at.z > low.y && lamp.at.z < high.y)
@@ -364,9 +347,8 @@ void LandMesh::build(const Ground& ground, std::size_t patch) {
 void LandMesh::bake(std::size_t patch) {
   const VertexRect all = rect_of(patch);
   LandPatch& made = patches_[patch];
-  const float half = 0.5f * static_cast<float>(field_.across);
   std::vector<const Lamp*> near;
-  const glm::vec2 middle = kCellSide * (0.5f * glm::vec2(all.x0 + all.x1, all.z0 + all.z1) - half);
+  const glm::vec2 middle = kCellSide * (0.5f * glm::vec2(all.x0 + all.x1, all.z0 + all.z1) - field_.half());
   for (const Lamp& lamp : lamps_)
     if (glm::all(glm::lessThan(glm::abs(glm::vec2(lamp.at.x, lamp.at.z) - middle),
                                glm::vec2(kLampReach + 0.5f * kCellSide * kPatchCells))))
@@ -400,10 +382,9 @@ void LandMesh::update(const Ground& ground, const Plants* plants, glm::vec3 sun,
   std::vector<std::pair<VertexRect, float>> shaded;
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     if (keys[i] == keys_[i]) continue;
-    const VertexRect rect = rect_of(i);
     if (keys[i].ground != keys_[i].ground || keys[i].track != keys_[i].track) stale_[i].open = true;
-    float above = std::max(patches_[i].high, ground.patches()[i].high);
-    const VertexRect moved = take_heights(ground.patches()[i], rect), covered = take_cover(ground, plants, rect);
+    const float above = std::max(patches_[i].high, ground.patches()[i].high);
+    const VertexRect moved = take_heights(ground.patches()[i], rect_of(i)), covered = take_cover(ground, plants, i);
     keys_[i] = keys[i];
     mark(moved.grown(kSkyReach));
     mark(covered);

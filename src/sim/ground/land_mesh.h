@@ -41,10 +41,10 @@ struct LandLight {
   friend bool operator==(const LandLight&, const LandLight&) = default;
 };
 
-// Rows and columns of vertices, both ends included; empty if x0 > x1.
+// Rows and columns of vertices, both ends included.
 struct VertexRect {
   int x0 = 1 << 30, z0 = 1 << 30, x1 = -(1 << 30), z1 = -(1 << 30);
-  bool empty() const { return x0 > x1; }
+  bool empty() const { return x0 > x1 || z0 > z1; }
   void add(int x, int z);
   void add(const VertexRect& other);
   VertexRect grown(int by) const { return empty() ? *this : VertexRect{x0 - by, z0 - by, x1 + by, z1 + by}; }
@@ -60,6 +60,7 @@ struct LandField {
   // Places beyond the square count as its edge.
   std::size_t at(int x, int z) const;
   float height(int x, int z) const { return heights[at(x, z)]; }
+  float half() const { return 0.5f * static_cast<float>(across); }
 };
 
 struct LandPatch {
@@ -106,7 +107,7 @@ class LandMesh {
   VertexRect rect_of(std::size_t patch) const;
   std::vector<Key> keys_of(const Ground& ground, const Plants* plants) const;
   VertexRect take_heights(const GroundPatch& patch, const VertexRect& rect);
-  VertexRect take_cover(const Ground& ground, const Plants* plants, const VertexRect& rect);
+  VertexRect take_cover(const Ground& ground, const Plants* plants, std::size_t patch);
   void mark(const VertexRect& rect);
   void mark_shaded(const VertexRect& rect, float above);
   void mark_lamps(std::span<const Lamp> lamps);

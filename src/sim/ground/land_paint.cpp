@@ -1,7 +1,6 @@
 #include "sim/ground/land_paint.h"
 
 #include <array>
-#include <cmath>
 
 #include "sim/ground/noise.h"
 
@@ -67,11 +66,6 @@ constexpr std::array<LandColours, 8> kColours{
     kTemperate, meadow(), kTemperate, kTemperate, cliffs(), island(), desert(), snow()};
 static_assert(kColours.size() == base::count_of<world::Land>());
 
-float step_between(float a, float b, float x) {
-  const float t = glm::clamp((x - a) / (b - a), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 float noise_at(const LandPlace& at, double width, std::uint32_t seed) {
   return static_cast<float>(noise(at.x / width, at.z / width, seed));
 }
@@ -84,7 +78,8 @@ glm::vec3 land_paint(const world::Park& park, const LandPlace& at) {
   glm::vec3 paint = glm::mix(c.grass_dark, c.grass_bright, glm::clamp(0.5f + 0.9f * meadows, 0.0f, 1.0f));
   paint = glm::mix(paint, c.forest, 0.75f * at.wood);
   if (at.upright < c.rock_to + 0.06f) {
-    const float grass = step_between(c.rock_from, c.rock_to, at.upright + 0.05f * noise_at(at, 5, park.seed + kBare));
+    const float grass =
+        glm::smoothstep(c.rock_from, c.rock_to, at.upright + 0.05f * noise_at(at, 5, park.seed + kBare));
     const auto layers =
         static_cast<float>(noise((at.x + at.z) / 18, 0.55 * static_cast<double>(at.height), park.seed + kLayers));
     paint = glm::mix(glm::mix(c.rock_dark, c.rock_bright, 0.5f + 0.5f * layers), paint, grass);
@@ -92,8 +87,8 @@ glm::vec3 land_paint(const world::Park& park, const LandPlace& at) {
   const auto water = static_cast<float>(park.water);
   if (at.height < water + c.beach + 1) {
     const float uneven = 0.5f * noise_at(at, 7, park.seed + kBeach);
-    paint = glm::mix(c.sand, paint, step_between(water + 0.1f, water + c.beach, at.height + uneven));
-    paint = glm::mix(c.bed, paint, step_between(water - 3, water - 0.2f, at.height));
+    paint = glm::mix(c.sand, paint, glm::smoothstep(water + 0.1f, water + c.beach, at.height + uneven));
+    paint = glm::mix(c.bed, paint, glm::smoothstep(water - 3, water - 0.2f, at.height));
   }
   return glm::mix(paint, c.earth, at.earth);
 }

@@ -27,18 +27,20 @@ class ModelBuilder {
 
   // A trunk without ends.
   void trunk(int sides, float height, float low, float high) {
-    std::vector<std::uint16_t> ring[2];
-    for (int end = 0; end < 2; ++end)
+    const auto ring = [&](float radius, float y, float ambient) {
+      std::vector<std::uint16_t> made;
       for (int i = 0; i < sides; ++i) {
         const float turn = kWholeTurn * static_cast<float>(i) / static_cast<float>(sides);
         const glm::vec3 out(std::cos(turn), 0, std::sin(turn));
-        ring[end].push_back(vertex((end == 0 ? low : high) * out + glm::vec3(0, end == 0 ? -0.6f : height, 0), out,
-                                   kBark, end == 0 ? 0.5f : 0.35f));
+        made.push_back(vertex(radius * out + glm::vec3(0, y, 0), out, kBark, ambient));
       }
+      return made;
+    };
+    const std::vector<std::uint16_t> lower = ring(low, -0.6f, 0.5f), upper = ring(high, height, 0.35f);
     for (int i = 0; i < sides; ++i) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>((i + 1) % sides);
-      triangle(ring[0][a], ring[1][a], ring[1][b]);
-      triangle(ring[0][a], ring[1][b], ring[0][b]);
+      triangle(lower[a], upper[a], upper[b]);
+      triangle(lower[a], upper[b], lower[b]);
     }
   }
 
@@ -78,14 +80,13 @@ class ModelBuilder {
   };
   template <class Look>
   void ball(const Ball& ball, const Look& look) {
-    std::vector<glm::vec3> points;
-    std::vector<std::array<std::uint16_t, 3>> faces;
-    const float t = 1.618034f;
-    points = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
-              {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-    faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    constexpr float t = 1.618034f;
+    std::vector<glm::vec3> points{{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+                                  {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
+    std::vector<std::array<std::uint16_t, 3>> faces{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                    {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                    {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                    {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
     for (glm::vec3& point : points) point = glm::normalize(point);
     for (int split = 0; split < ball.splits; ++split) {
       std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> middles;

@@ -22,6 +22,7 @@ constexpr Flora kFloras[] = {
 
 constexpr double kPlantCell = 5;    // m, side of a cell that holds at most one plant
 constexpr double kTrackReach = 44;  // m
+constexpr double kTile = GroundPatch::kLength;
 
 struct Spot {
   double x, z, height, slope;  // slope: y of the ground's unit normal
@@ -38,17 +39,10 @@ Spot spot_at(const Ground& ground, double x, double z) {
 double density(const Ground& ground, double x, double z) {
   constexpr double kStart = 40;  // m about the origin, where tracks begin
   const world::Park& park = ground.land().park();
-  const int column = static_cast<int>(std::floor(x / world::kGroundCell)),
-            row = static_cast<int>(std::floor(z / world::kGroundCell));
-  const auto tile_of = [](int v) {
-    return v >= 0 ? v / world::kGroundTileCells : -((31 - v) / world::kGroundTileCells);
-  };
-  const world::TilePlace place{static_cast<std::int16_t>(tile_of(column)), static_cast<std::int16_t>(tile_of(row))};
-  if (const world::GroundTile* const tile = park.tiles.find(place)) {
-    const int cx = (column - place.x * world::kGroundTileCells) / 2, cz = (row - place.z * world::kGroundTileCells) / 2;
-    const std::uint8_t painted = tile->woods[static_cast<std::size_t>(cz * (world::kGroundTileCells / 2) + cx)];
-    if (painted > 0) return (painted - 1) / 254.0;
-  }
+  const glm::dvec2 cell = glm::floor(glm::dvec2(x, z) / world::kGroundCell);
+  const TileVertex at = tile_vertex({static_cast<int>(cell.x), static_cast<int>(cell.y)});
+  const world::GroundTile* const tile = park.tiles.find(at.tile);
+  if (tile != nullptr && tile->woods[at.woods] > 0) return (tile->woods[at.woods] - 1) / 254.0;
   if (x * x + z * z < kStart * kStart) return 0;
   const double noisy =
       1.5 * noise(x / 70, z / 70, park.seed + kDensity) + 0.6 * noise(x / 22, z / 22, park.seed + kDetail);
@@ -69,8 +63,8 @@ bool clear_of_track(const Ground& ground, std::span<const std::size_t> near, con
     if (spot.height + top > sample.at.y - 2 + 3 * d) return false;
   }
   for (const TunnelGate& gate : ground.gates()) {
-    const glm::dvec2 from = glm::dvec2(spot.x, spot.z) - glm::dvec2(gate.at.x, gate.at.z);
-    const double behind = glm::dot(from, gate.inwards);
+    const glm::dvec2 at(spot.x, spot.z), from = gate.level_way_to(at);
+    const double behind = gate.behind(at);
     if (behind > -14 && behind < 5 && glm::dot(from, from) < 15.0 * 15.0) return false;
   }
   return true;
@@ -99,8 +93,6 @@ class Planter {
   }
 
  private:
-  static constexpr double kTile = world::kGroundTileCells * world::kGroundCell;
-
   std::optional<Plant> plant_in(int x, int z) const {
     const auto chance = [&](std::uint32_t which) { return random_at(x, z, park_.seed + kPlace + which); };
     const double px = (x + 0.15 + 0.7 * chance(0)) * kPlantCell, pz = (z + 0.15 + 0.7 * chance(1)) * kPlantCell;
@@ -162,7 +154,7 @@ void Plants::update(const Ground& ground) {
 
 double Plants::distance(glm::dvec3 at, double most) const {
   double nearest = most;
-  constexpr double kTile = world::kGroundTileCells * world::kGroundCell, kCrown = 4;  // m
+  constexpr double kCrown = 4;  // m
   for (const PatchPlants& patch : patches_) {
     const double x0 = patch.place.x * kTile, z0 = patch.place.z * kTile, reach = most + kCrown;
     if (at.x < x0 - reach || at.x > x0 + kTile + reach || at.z < z0 - reach || at.z > z0 + kTile + reach) continue;

@@ -136,9 +136,7 @@ class TunnelBuilder {
   void quad(std::array<glm::vec3, 4> corners, glm::vec3 normal, glm::vec3 paint, std::array<float, 4> ambient) {
     const glm::vec3 face = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
     if (glm::dot(face, normal) < 0) std::swap(corners[1], corners[3]), std::swap(ambient[1], ambient[3]);
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (std::size_t i = 0; i < 4; ++i) mesh_.vertices.push_back({corners[i], normal, paint, ambient[i]});
-    for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh_.indices.push_back(first + i);
+    mesh_.add_quad(corners, normal, paint, ambient);
   }
 
   const Ground& ground_;
@@ -148,6 +146,13 @@ class TunnelBuilder {
 };
 
 }  // namespace
+
+void EarthMesh::add_quad(const std::array<glm::vec3, 4>& corners, glm::vec3 normal, glm::vec3 paint,
+                         const std::array<float, 4>& ambient) {
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  for (std::size_t i = 0; i < 4; ++i) vertices.push_back({corners[i], normal, paint, ambient[i]});
+  for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(first + i);
+}
 
 EarthMesh tunnel_mesh(const Ground& ground) {
   TunnelBuilder builder(ground);
@@ -164,10 +169,8 @@ bool is_open(const Ground& ground, GroundVertex cell) {
   const glm::dvec2 at = world::kGroundCell * glm::dvec2(cell.x + 0.5, cell.z + 0.5);
   const double tube = ground.room().tube, lift = ground.room().lift;
   for (const TunnelGate& gate : ground.gates()) {
-    const glm::dvec2 from = at - glm::dvec2(gate.at.x, gate.at.z);
-    const double behind = glm::dot(from, gate.inwards);
-    if (behind < -0.4 || behind > 7 || std::fabs(from.x * gate.inwards.y - from.y * gate.inwards.x) > tube + 0.7)
-      continue;
+    const double behind = gate.behind(at);
+    if (behind < -0.4 || behind > 7 || gate.aside(at) > tube + 0.7) continue;
     double low = 1e9, high = -1e9;
     for (int dz = 0; dz < 2; ++dz) {
       for (int dx = 0; dx < 2; ++dx) {

@@ -2,6 +2,7 @@
 // left open there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct EarthVertex {
 struct EarthMesh {
   std::vector<EarthVertex> vertices;
   std::vector<std::uint32_t> indices;  // triangles, counter-clockwise from outside
+  // Adds a quad of two triangles: the corners in their order around, and `ambient` of each.
+  void add_quad(const std::array<glm::vec3, 4>& corners, glm::vec3 normal, glm::vec3 paint,
+                const std::array<float, 4>& ambient);
 };
 // Returns the tubes and portals of all tunnels. Stone in most lands, of the land's colour.
 EarthMesh tunnel_mesh(const Ground& ground);

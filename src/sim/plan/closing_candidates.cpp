@@ -145,10 +145,7 @@ void consider_all(CircuitCandidates& c) {
   }
 }
 
-void sort_by_cost(CircuitCandidates& c) {
-  std::stable_sort(c.list.begin(), c.list.end(),
-                   [](const CircuitCandidate& a, const CircuitCandidate& b) { return a.cost < b.cost; });
-}
+void sort_by_cost(CircuitCandidates& c) { std::ranges::stable_sort(c.list, {}, &CircuitCandidate::cost); }
 
 // Returns by how much the two turns differ from a former closing section's, rad.
 double turned_from(const world::ClosingPlan& former, const TurnChoice& choice) {

@@ -337,8 +337,7 @@ void add_break(ElementCurve& curve, std::size_t at) {
 }
 
 std::size_t first_from(const ElementCurve& curve, double s) {
-  return static_cast<std::size_t>(std::lower_bound(curve.points.begin(), curve.points.end(), s,
-                                                   [](const ElementPoint& p, double at) { return p.s < at; }) -
+  return static_cast<std::size_t>(std::ranges::lower_bound(curve.points, s, {}, &ElementPoint::s) -
                                   curve.points.begin());
 }
 

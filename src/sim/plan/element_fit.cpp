@@ -256,8 +256,7 @@ double turn_of(const ElementCurve& curve, std::size_t first, std::size_t last) {
 
 // Returns the first point at least that far along the curve.
 std::size_t point_at(const ElementCurve& curve, double s) {
-  const auto found = std::lower_bound(curve.points.begin(), curve.points.end(), s,
-                                      [](const ElementPoint& point, double wanted) { return point.s < wanted; });
+  const auto found = std::ranges::lower_bound(curve.points, s, {}, &ElementPoint::s);
   return static_cast<std::size_t>(found - curve.points.begin());
 }
 
@@ -284,8 +283,8 @@ int refine(const ElementCurve& curve, KnotChoiceTrial& trial, std::vector<int>& 
   bool changed = false;
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
     const std::size_t first = curve.breaks[p], last = curve.breaks[p + 1];
-    const bool good = std::none_of(failing.begin(), failing.end(),
-                                   [&](std::size_t k) { return trial.ends[k] >= first && trial.ends[k + 1] <= last; });
+    const bool good = std::ranges::none_of(
+        failing, [&](std::size_t k) { return trial.ends[k] >= first && trial.ends[k + 1] <= last; });
     if (good || counts[p] >= kMostSpans || static_cast<std::size_t>(counts[p]) >= last - first) continue;
     counts[p] += 1 + counts[p] / 8;
     changed = true;
@@ -313,8 +312,8 @@ void thin(const ElementCurve& curve, KnotChoiceTrial& best) {
 
 // Returns the break within that many metres of a length along the curve, else the point there.
 std::size_t break_near(const ElementCurve& curve, double s, double within) {
-  const auto before = [&](std::size_t at, double wanted) { return curve.points[at].s < wanted; };
-  const auto near = std::lower_bound(curve.breaks.begin(), curve.breaks.end(), s - within, before);
+  const auto place = [&](std::size_t at) { return curve.points[at].s; };
+  const auto near = std::ranges::lower_bound(curve.breaks, s - within, {}, place);
   if (near == curve.breaks.end() || curve.points[*near].s > s + within) return point_at(curve, s);
   const auto next = near + 1;
   const bool closer =

@@ -139,6 +139,10 @@ ElementDerivatives upright_rate(double angle, double bend) {
   return {{cos, sin, 0}, {-sin * bend, cos * bend, 0}, {-sin, cos, 0}, 0};
 }
 
+double slope_of(dvec3 direction) {
+  return base::arc_tangent(direction.y, std::sqrt(direction.x * direction.x + direction.z * direction.z));
+}
+
 void ElementPath::add(const Bend& bend) {
   add({bend.ramp(), bend.arc(), bend.ramp()}, [&](double u) { return upright_rate(bend.angle(u), bend.bend(u)); });
 }

@@ -14,6 +14,9 @@
 
 namespace coaster::sim {
 
+// Returns the angle of a direction above the horizon, rad.
+double slope_of(glm::dvec3 direction);
+
 struct ElementPoint {
   double s = 0;                 // m, arc length from the curve's start
   glm::dvec3 position{0};       // m

@@ -23,11 +23,6 @@ constexpr double kMostRollRate_deg = 60;  // per metre
 constexpr double kLevel = 1e-4;           // rad: smaller slopes need no levelling
 constexpr double kRollFade = 8;           // m, shortest length over which a rolled end is turned upright
 
-// Returns the angle above the horizon, rad.
-double slope_of(dvec3 forward) {
-  return base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));
-}
-
 // Adds the decrease from the end's curvature to 0, linear in the length, in the plane of the bend. `upright`: up
 // follows the horizon; else it is carried along.
 void ease(ElementPath& path, bool upright) {
@@ -56,11 +51,12 @@ double head(ElementPath& path) {
   return slope_of(forward);
 }
 
-void add_straight(world::Element& element, ElementPath& path, bool upright, std::vector<std::string>& lines) {
-  const double most = kMostRollRate_deg * world::value_of(element, "length");
-  if (const double wanted = world::value_of(element, "roll"); std::abs(wanted) > most)
-    give_way(element, "roll", wanted < 0 ? -most : most, "a straight this short cannot roll that far", lines);
-  const double length = world::value_of(element, "length"), roll = base::radians(world::value_of(element, "roll"));
+void add_straight(ShapeTask& task, bool upright) {
+  ElementPath& path = task.path;
+  const double length = task.value("length"), most = kMostRollRate_deg * length;
+  if (const double wanted = task.value("roll"); std::abs(wanted) > most)
+    task.give_way("roll", wanted < 0 ? -most : most, "a straight this short cannot roll that far");
+  const double roll = task.radians("roll");
   const dvec3 forward = path.end().tangent, level = upright ? curve::perpendicular(forward, {0, 1, 0}) : path.end().up;
   path.set_axes(forward, level, glm::cross(level, forward));
   path.add(length, [=](double u) {
@@ -114,8 +110,7 @@ std::string beyond_limit(const world::ElementParameter& parameter, double value,
                      base::to_text(value), unit, base::to_text(limit), unit);
 }
 
-void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
-              std::vector<std::string>& lines) {
+void ShapeTask::give_way(std::string_view parameter, double limit, std::string_view reason) {
   const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name != parameter) continue;
@@ -123,6 +118,16 @@ void give_way(world::Element& element, std::string_view parameter, double limit,
         "{}: {}.", beyond_limit(parameters[i], element.values[i], std::round(limit * 1000.0) / 1000.0), reason));
     element.values[i] = limit;
   }
+}
+
+double ShapeTask::at_least(std::string_view parameter, double limit, std::string_view reason) {
+  if (value(parameter) < limit) give_way(parameter, limit, reason);
+  return value(parameter);
+}
+
+double ShapeTask::at_most(std::string_view parameter, double limit, std::string_view reason) {
+  if (value(parameter) > limit) give_way(parameter, limit, reason);
+  return value(parameter);
 }
 
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
@@ -138,9 +143,10 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   const bool straight = element.kind == world::ElementKind::straight;
   const bool upright = !straight || !steep(end.forward);
   ease(path, upright);
+  ShapeTask task{element, path, 0, lines, shape.equipped};
   if (straight) {
     path.begin_element();
-    add_straight(element, path, upright, lines);
+    add_straight(task, upright);
     shape.curve = path.finish(path.curve().length());
     keep_end_slopes(shape.curve);
     equip(element, shape);
@@ -151,14 +157,13 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
                                 base::to_text(kSteepestEnd_deg));
     return shape;
   }
-  double slope = head(path);
+  task.slope = head(path);
   const ElementShapeRow& adder = kAdders[static_cast<std::size_t>(element.kind)];
-  if (adder.level && std::abs(slope) > kLevel) {
-    path.add(Bend{slope, 0, levelling_radius(element)});
-    slope = 0;
+  if (adder.level && std::abs(task.slope) > kLevel) {
+    path.add(Bend{task.slope, 0, levelling_radius(element)});
+    task.slope = 0;
   }
   path.begin_element();
-  ShapeTask task{element, path, slope, lines, shape.equipped};
   adder.add(task);
   shape.curve = path.finish(kRollFade);
   keep_end_slopes(shape.curve);
@@ -197,23 +202,19 @@ void add_round(ElementPath& path, const BankedTurn& round, const std::function<S
            [&](double u) { return plan_rate(round.bend.angle(u), round.bend.bend(u), slope(u), round.roll(u)); });
 }
 
-double turn_side(const world::Element& element) { return element.right ? 1.0 : -1.0; }
-
 // Returns the bank for a speed: gravity and the turn together press straight into the seat.
-double bank_of(const world::Element& element) {
-  const double radius = world::value_of(element, "radius"), speed = world::value_of(element, "speed");
-  return speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity)
-                   : base::radians(world::value_of(element, "bank"));
+double bank_of(const ShapeTask& task) {
+  const double speed = task.value("speed");
+  return speed > 0 ? base::arc_tangent(speed * speed / task.value("radius"), world::kGravity) : task.radians("bank");
 }
 
-BankedTurn round_of(const world::Element& element, double angle, double ramp = 0) {
-  return {{0, turn_side(element) * angle, world::value_of(element, "radius"), ramp}, bank_of(element)};
+BankedTurn round_of(const ShapeTask& task, double angle, double ramp = 0) {
+  return {{0, task.side() * angle, task.value("radius"), ramp}, bank_of(task)};
 }
 
-void widen(ShapeTask& task, double angle) {
-  const double least = Bend{0, angle, 1e-3}.radius;
-  if (world::value_of(task.element, "radius") < least)
-    give_way(task.element, "radius", least, "a turn of this angle would be too short", task.lines);
+// Returns the radius of a turn by that angle.
+double wide_enough(ShapeTask& task, double angle) {
+  return task.at_least("radius", Bend{0, angle, 1e-3}.radius, "a turn of this angle would be too short");
 }
 
 // Two turns with one crossing of curvature between them. The second is the point reflection of the first about the
@@ -256,39 +257,31 @@ class SBend {
 }  // namespace
 
 void add_curve(ShapeTask& task) {
-  const double angle = base::radians(world::value_of(task.element, "angle"));
-  widen(task, angle);
-  if (const double ramp = world::value_of(task.element, "ramp"); ramp > 0) {
-    const double most = angle * world::value_of(task.element, "radius"),
-                 least = std::min(
-                     most, std::max(kLeastRamp, base::degrees(std::abs(bank_of(task.element))) / kMostCurveRoll_deg));
-    if (ramp > most) give_way(task.element, "ramp", most, "the curve has no room for longer ones", task.lines);
-    if (ramp < least) give_way(task.element, "ramp", least, "a shorter one would roll too fast", task.lines);
+  const double angle = task.radians("angle"), most = angle * wide_enough(task, angle);
+  if (task.value("ramp") > 0) {
+    const double rolled = base::degrees(std::abs(bank_of(task))) / kMostCurveRoll_deg;
+    task.at_most("ramp", most, "the curve has no room for longer ones");
+    task.at_least("ramp", std::min(most, std::max(kLeastRamp, rolled)), "a shorter one would roll too fast");
   }
   const auto [sin, cos] = base::sin_cos(task.slope);
   const double rise = sin / cos;
-  add_round(task.path, round_of(task.element, angle, world::value_of(task.element, "ramp")), [rise](double) {
-    return Slope{rise, 0};
-  });
+  add_round(task.path, round_of(task, angle, task.value("ramp")), [rise](double) { return Slope{rise, 0}; });
 }
 
 // Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to the
 // helix's, and over the last to 0, so the derivative of the slope is 0 at both ends of each.
 void add_helix(ShapeTask& task) {
-  const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
-  if (world::value_of(task.element, "turns") > most)
-    give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
-  const double angle = 2.0 * kPi * world::value_of(task.element, "turns");
-  const BankedTurn round = round_of(task.element, angle);
+  const double most = kLongestHelix / (2.0 * kPi * task.value("radius"));
+  const double turns = task.at_most("turns", most, "a helix of this radius would be longer than 15 km");
+  const BankedTurn round = round_of(task, 2.0 * kPi * turns);
   const double ramp = round.bend.ramp(), whole = round.bend.length(), room = whole - ramp;
   const auto [sin, cos] = base::sin_cos(task.slope);
   const double first = sin / cos;
   const auto slope_for = [&](double height) { return (height - 0.5 * ramp * first) / room; };
-  double steady = slope_for(world::value_of(task.element, "height"));
+  double steady = slope_for(task.value("height"));
   if (std::abs(steady) > kMostHelixSlope) {
     steady = std::clamp(steady, -kMostHelixSlope, kMostHelixSlope);
-    give_way(task.element, "height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep",
-             task.lines);
+    task.give_way("height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep");
   }
   add_round(task.path, round, [=](double u) {
     const bool late = u > 0.5 * whole;
@@ -300,10 +293,9 @@ void add_helix(ShapeTask& task) {
 }
 
 void add_s_bend(ShapeTask& task) {
-  const double angle = base::radians(world::value_of(task.element, "angle"));
-  widen(task, angle);
-  const SBend s(angle, world::value_of(task.element, "radius"));
-  const double side = turn_side(task.element), bank = side * bank_of(task.element), rise = tangent_of(task.slope);
+  const double angle = task.radians("angle");
+  const SBend s(angle, wide_enough(task, angle));
+  const double side = task.side(), bank = side * bank_of(task), rise = tangent_of(task.slope);
   task.path.add({s.ramp(), s.arc(), s.crossing(), s.arc(), s.ramp()}, [&](double u) {
     return plan_rate(side * s.heading(u), side * s.bend(u), {rise, 0}, bank * s.share(u));
   });
@@ -315,19 +307,16 @@ void add_overbanked_turn(ShapeTask& task) {
   constexpr double kLeastRest = 1.15;  // least entry energy, relative to that of the top
   constexpr double kMostSlope = 1;     // m per m in plan
   constexpr double kMostCrest = 1.5;   // curvature of the crest, 24 h / length^2, relative to that of the plan
-  const double angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
-  widen(task, angle);
-  const BankedTurn round = round_of(task.element, angle);
-  const double side = turn_side(task.element), ramp = round.bend.ramp(), length = round.bend.length();
-  if (const double most = std::min(kMostSlope * length * 25 * std::sqrt(5.0) / 192,
-                                   kMostCrest * length * length / (24 * round.bend.radius));
-      world::value_of(task.element, "height") > most)
-    give_way(task.element, "height", most, "a turn of this radius and angle would be too steep", task.lines);
-  const double height = world::value_of(task.element, "height"), least = std::sqrt(2 * kLeastRest * g * height);
-  if (const double given = world::value_of(task.element, "speed"); given > 0 && given < least)
-    give_way(task.element, "speed", least, "a slower train cannot pass the top", task.lines);
-  const double speed = world::value_of(task.element, "speed"),
-               bank = base::radians(world::value_of(task.element, "bank"));
+  const double angle = task.radians("angle"), g = world::kGravity;
+  wide_enough(task, angle);
+  const BankedTurn round = round_of(task, angle);
+  const double side = task.side(), ramp = round.bend.ramp(), length = round.bend.length();
+  const double most = std::min(kMostSlope * length * 25 * std::sqrt(5.0) / 192,
+                               kMostCrest * length * length / (24 * round.bend.radius));
+  const double height = task.at_most("height", most, "a turn of this radius and angle would be too steep");
+  if (task.value("speed") > 0)
+    task.at_least("speed", std::sqrt(2 * kLeastRest * g * height), "a slower train cannot pass the top");
+  const double speed = task.value("speed"), bank = task.radians("bank");
   task.path.add({ramp, round.bend.arc(), ramp}, [&](double u) {
     const double v = u / length, w = v * (1 - v), odd = 1 - 2 * v, bend = round.bend.bend(u);
     const Slope slope{192 * height * w * w * odd / length, 384 * height * w * (odd * odd - w) / (length * length)};
@@ -355,12 +344,10 @@ struct Hill {
 
 // `least_rest`: least entry energy, relative to that of the crest.
 Hill hill_of(ShapeTask& task, double least_rest = 1.15) {
-  const double height = world::value_of(task.element, "height"), g = world::kGravity;
-  const double least = std::sqrt(2 * least_rest * g * height);
-  if (world::value_of(task.element, "speed") < least)
-    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
-  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
-               radius = world::value_of(task.element, "radius");
+  const double height = task.value("height"), g = world::kGravity;
+  const double speed =
+      task.at_least("speed", std::sqrt(2 * least_rest * g * height), "a slower train cannot pass the crest");
+  const double p = speed * speed / g - 2 * height, radius = task.value("radius");
   const auto rise = [&](double angle) {
     const double tangent = tangent_of(angle);
     return HillFoot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
@@ -382,16 +369,15 @@ void add_valley(ElementPath& path, const HillFoot& foot) {
 }  // namespace
 
 void add_climb_or_dive(ShapeTask& task) {
-  const double side = task.element.kind == world::ElementKind::climb ? 1.0 : -1.0,
-               radius = world::value_of(task.element, "radius");
-  const double steepest = base::radians(world::value_of(task.element, "angle"));
+  const double side = task.element.kind == world::ElementKind::climb ? 1.0 : -1.0, radius = task.value("radius");
+  const double steepest = task.radians("angle");
   const auto bends = [&](double angle) {
     const double to = side * angle;
     return side * (Bend{task.slope, to, radius}.run_and_rise().y + Bend{to, 0, radius}.run_and_rise().y);
   };
-  double height = world::value_of(task.element, "height"), angle = steepest;
+  double height = task.value("height"), angle = steepest;
   if (const double least = bends(0); height < least) {
-    give_way(task.element, "height", least, "a smaller one cannot level out", task.lines);
+    task.give_way("height", least, "a smaller one cannot level out");
     height = least, angle = 0;
   } else if (bends(steepest) > height) {
     angle = root(0, steepest, [&](double a) { return bends(a) - height; });
@@ -410,9 +396,7 @@ void add_camelback(ShapeTask& task) {
 }
 
 void add_bunny_hops(ShapeTask& task) {
-  const double hops = std::floor(world::value_of(task.element, "hops"));
-  if (hops != world::value_of(task.element, "hops"))
-    give_way(task.element, "hops", hops, "only whole hops can be placed", task.lines);
+  const double hops = task.at_most("hops", std::floor(task.value("hops")), "only whole hops can be placed");
   const Hill hill = hill_of(task);
   add_foot_up(task.path, hill.foot);
   for (int hop = 1; hop <= static_cast<int>(hops); ++hop) {
@@ -426,18 +410,18 @@ void add_bunny_hops(ShapeTask& task) {
 void add_zero_g_roll(ShapeTask& task) {
   const Hill hill = hill_of(task, 1.5);
   add_foot_up(task.path, hill.foot);
-  add_parabola(task.path, hill.p, hill.edge, 1, 0, task.element.right ? 2 * base::kPi : -2 * base::kPi);
+  add_parabola(task.path, hill.p, hill.edge, 1, 0, 2 * kPi * task.side());
   add_foot_down(task.path, hill.foot);
 }
 
 void add_brake_run(ShapeTask& task) {
   const auto add = [&](std::string_view length, const world::Equipment& equipment) {
-    task.path.add(world::value_of(task.element, length), [](double) { return upright_rate(0, 0); });
+    task.path.add(task.value(length), [](double) { return upright_rate(0, 0); });
     task.equipped.push_back({task.path.curve().points.size() - 1, equipment});
   };
   world::Equipment brakes{world::EquipmentKind::brake};
-  brakes.speed = static_cast<float>(world::value_of(task.element, "speed"));
-  brakes.acceleration = static_cast<float>(world::value_of(task.element, "acceleration"));
+  brakes.speed = static_cast<float>(task.value("speed"));
+  brakes.acceleration = static_cast<float>(task.value("acceleration"));
   add("brakes", brakes);
   add("station", {world::EquipmentKind::station});
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/portable_math.h"
 #include "sim/plan/element_path.h"
 #include "world/components.h"
 #include "world/element.h"
@@ -47,10 +48,6 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
 
 // Returns "Raised height from 3 m to the limit of 5.2 m".
 std::string beyond_limit(const world::ElementParameter& parameter, double value, double limit);
-// Sets the value to the limit and adds such a line with ": REASON.".
-void give_way(world::Element& element, std::string_view parameter, double limit, std::string_view reason,
-              std::vector<std::string>& lines);
-
 // Each function adds its pieces to a path whose axes are the heading, +Y and the left, from a point without curvature.
 // `slope`: the angle above the horizon there, rad; 0 for elements that begin level.
 struct ShapeTask {
@@ -59,6 +56,15 @@ struct ShapeTask {
   double slope;
   std::vector<std::string>& lines;
   std::vector<EquippedPart>& equipped;
+
+  double value(std::string_view parameter) const { return world::value_of(element, parameter); }
+  double radians(std::string_view parameter) const { return base::radians(value(parameter)); }
+  double side() const { return element.right ? 1 : -1; }
+  // Sets a value to the limit and adds a line as beyond_limit() with ": REASON.".
+  void give_way(std::string_view parameter, double limit, std::string_view reason);
+  // Return a value, after it has given way to the limit if it is less, or more.
+  double at_least(std::string_view parameter, double limit, std::string_view reason);
+  double at_most(std::string_view parameter, double limit, std::string_view reason);
 };
 void add_curve(ShapeTask& task);
 void add_helix(ShapeTask& task);

@@ -14,8 +14,6 @@ using base::kPi;
 using glm::dvec2;
 using glm::dvec3;
 
-double to_the_right(const ShapeTask& task) { return task.element.right ? 1.0 : -1.0; }
-
 void add_winding(ElementPath& path, const Winding& w, double sin_axis, double side) {
   const double cos_axis = std::sqrt(1 - sin_axis * sin_axis);
   const dvec3 axis(sin_axis, 0, side * cos_axis), across(cos_axis, 0, -side * sin_axis), up(0, 1, 0);
@@ -66,14 +64,13 @@ struct RolledLoop {
 
 // `below`: m, distance from the element's upper end down to the height at which the train has the element's speed.
 RolledLoop rolled_loop(ShapeTask& task, double below) {
-  const double height = world::value_of(task.element, "height"), radius = world::value_of(task.element, "radius"),
-               angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
+  const double height = task.value("height"), radius = task.value("radius"), angle = task.radians("angle"),
+               g = world::kGravity;
   const double tangent = tangent_of(angle), cos = base::sin_cos(angle).cos;
   const auto crest = [&](double p) { return HillFoot(angle, radius, p).rise() + 0.5 * p * tangent * tangent; };
   const double least_p = std::max(4.0, 0.2 * height), least = std::sqrt(g * (least_p + 2 * (below + crest(least_p))));
-  if (world::value_of(task.element, "speed") < least)
-    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
-  const double speed = world::value_of(task.element, "speed"), energy = speed * speed / g;
+  const double speed = task.at_least("speed", least, "a slower train cannot pass the crest"),
+               energy = speed * speed / g;
   const double p = root(0.5 * least_p, energy, [&](double x) { return x + 2 * (below + crest(x)) - energy; });
   const HillFoot foot(angle, radius, p);
   const double bend = cos * cos * cos / p, loop_rise = height + foot.rise();
@@ -119,26 +116,24 @@ class HalfCobra {
 
 void add_loop(ShapeTask& task) {
   constexpr double kMostAxis = 0.5;  // sine: 30 degrees
-  const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
+  const Winding w(task.value("height"), task.radians("top"));
   // Along an axis at the angle a it advances length * tan(a), of which cos(a) is sideways; the teardrop takes width *
   // sin(a) back.
   const double room = w.length() - w.width();
-  if (world::value_of(task.element, "shift") > kMostAxis * room)
-    give_way(task.element, "shift", kMostAxis * room, "a loop of this height would tip over sideways", task.lines);
-  add_winding(task.path, w, world::value_of(task.element, "shift") / room, -to_the_right(task));
+  const double shift = task.at_most("shift", kMostAxis * room, "a loop of this height would tip over sideways");
+  add_winding(task.path, w, shift / room, -task.side());
 }
 
 void add_corkscrew(ShapeTask& task) {
-  const Winding w(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  add_winding(task.path, w, base::sin_cos(base::radians(world::value_of(task.element, "angle"))).sin,
-              -to_the_right(task));
+  const Winding w(task.value("height"), task.radians("top"));
+  add_winding(task.path, w, base::sin_cos(task.radians("angle")).sin, -task.side());
 }
 
 void add_immelmann(ShapeTask& task) {
-  const RolledLoop shape = rolled_loop(task, world::value_of(task.element, "height"));
+  const RolledLoop shape = rolled_loop(task, task.value("height"));
   const HalfLoop& loop = shape.loop;
   task.path.add({loop.first, loop.second}, [&](double u) { return upright_rate(loop.angle_at(u), loop.bend(u)); });
-  add_parabola(task.path, shape.p, shape.edge, -1, kPi * to_the_right(task), 2 * kPi * to_the_right(task));
+  add_parabola(task.path, shape.p, shape.edge, -1, kPi * task.side(), 2 * kPi * task.side());
   add_foot_down(task.path, shape.foot, -1);
 }
 
@@ -146,7 +141,7 @@ void add_dive_loop(ShapeTask& task) {
   const RolledLoop shape = rolled_loop(task, 0);
   const HalfLoop& loop = shape.loop;
   add_foot_up(task.path, shape.foot);
-  add_parabola(task.path, shape.p, shape.edge, 1, 0, kPi * to_the_right(task));
+  add_parabola(task.path, shape.p, shape.edge, 1, 0, kPi * task.side());
   task.path.add({loop.second, loop.first}, [&](double u) {
     const double left = loop.length() - u;
     ElementDerivatives rate = upright_rate(loop.angle_at(left), loop.bend(left));
@@ -157,8 +152,8 @@ void add_dive_loop(ShapeTask& task) {
 
 // The second half is the mirror image of the first one, ridden backwards.
 void add_cobra_roll(ShapeTask& task) {
-  const HalfCobra half(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
-  const dvec3 side(1, 1, -to_the_right(task)), mirror(1, 1, -1);
+  const HalfCobra half(task.value("height"), task.radians("top"));
+  const dvec3 side(1, 1, -task.side()), mirror(1, 1, -1);
   task.path.add({half.ramp(), half.arc(), half.second()}, [&](double u) {
     const ElementDerivatives rate = half.at(u);
     return ElementDerivatives{side * rate.d1, side * rate.d2, side * rate.up, 0};

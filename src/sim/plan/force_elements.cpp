@@ -395,7 +395,7 @@ ForceElement force_element(const world::Element& element, const ForceTask& start
   maker.task.program.over = world::ForceDomain::time, maker.task.program.speed = start.program.speed;
   const glm::dvec3 forward = start.end.forward, up = start.end.up;
   maker.left = glm::cross(up, forward);
-  maker.slope = base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));
+  maker.slope = slope_of(forward);
   const ForceLaw law(maker.task);
   maker.felt = law.wanted(0).up.value;
   maker.task.program.length = 0;

@@ -285,16 +285,13 @@ void put_keys(const FeltAlongRun& readings, double unit, ForceTask& task) {
       std::size_t worst = 0;
       for (std::size_t i = 1; i + 1 < values.size(); ++i) {
         const double off = std::abs(curve.at(place(i)).value - values[i]);
-        const bool room = std::none_of(keys.begin(), keys.end(), [&](const ForceKey& key) {
-          return std::abs(key.at - place(i)) < world::kKeyGap_m;
-        });
+        const bool room = std::ranges::none_of(
+            keys, [&](const ForceKey& key) { return std::abs(key.at - place(i)) < world::kKeyGap_m; });
         if (room && off > most) most = off, worst = i;
       }
       if (worst == 0) break;
       const ForceKey key{place(worst), values[worst]};
-      keys.insert(std::upper_bound(keys.begin(), keys.end(), key.at,
-                                   [](double at, const ForceKey& other) { return at < other.at; }),
-                  key);
+      keys.insert(std::ranges::upper_bound(keys, key.at, {}, &ForceKey::at), key);
     }
   }
 }

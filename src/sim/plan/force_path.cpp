@@ -54,8 +54,7 @@ ForceCurve::ForceCurve(const world::ForceProgram& program, ForceChannel channel)
 }
 
 const ForceCurve::ChannelPiece* ForceCurve::piece_at(double x) const {
-  auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), x,
-                                [](double place, const ChannelPiece& p) { return place < p[3].x; });
+  auto piece = std::ranges::upper_bound(pieces_, x, {}, [](const ChannelPiece& p) { return p[3].x; });
   if (piece == pieces_.end() && !pieces_.empty() && x == pieces_.back()[3].x) --piece;  // the slope of its end
   return piece == pieces_.end() || x < (*piece)[0].x ? nullptr : &*piece;
 }
@@ -82,8 +81,7 @@ double ForceCurve::bend_at(double x) const {
 void insert_on_curve(world::ForceProgram& program, ForceChannel channel, double at) {
   const ForceCurve::Value there = ForceCurve(program, channel).at(at);
   std::vector<world::ForceKey> keys = world::shaping_keys(program, channel);
-  const auto next = std::upper_bound(keys.begin(), keys.end(), at,
-                                     [](double place, const world::ForceKey& key) { return place < key.at; });
+  const auto next = std::ranges::upper_bound(keys, at, {}, &world::ForceKey::at);
   world::ForceKey key{at, there.value, there.slope};
   if (next != keys.begin() && next != keys.end()) {
     const ChannelPiece p = world::curve_between(next[-1], *next);

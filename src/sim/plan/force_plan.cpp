@@ -22,8 +22,7 @@ constexpr double kShortestPlan = 1;  // m
 }  // namespace
 
 std::size_t ForcePlan::point_at(double at) const {
-  const auto above = std::upper_bound(path.points.begin(), path.points.end(), at,
-                                      [](double place, const ForcePoint& point) { return place < point.at; });
+  const auto above = std::ranges::upper_bound(path.points, at, {}, &ForcePoint::at);
   return above == path.points.begin() ? 0 : static_cast<std::size_t>(above - path.points.begin()) - 1;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/plan/element_path.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -15,11 +16,6 @@ using glm::dvec3;
 
 constexpr double kSame = 1e-5;  // rad
 constexpr double kSteep = 0.1;  // m, of a unit tangent's horizontal part: below it `up` gives the heading
-
-// Returns the angle above the horizon, rad.
-double steepness(dvec3 direction) {
-  return base::arc_tangent(direction.y, std::sqrt(direction.x * direction.x + direction.z * direction.z));
-}
 
 dvec3 heading(const world::Knot& knot) {
   const bool steep = glm::length(glm::dvec2(knot.tangent.x, knot.tangent.z)) < kSteep;
@@ -58,7 +54,7 @@ base::Result<UprightMove> move_between(const world::Knot& from, const world::Kno
   const UprightMove carry = move_between(dvec3(from.position), heading(from), dvec3(to.position), heading(to));
   const dvec3 forward = glm::normalize(dvec3(to.tangent)), carried = carry.direction(dvec3(from.tangent));
   if (const double off = curve::angle_between(carried, forward); !(off <= kSame)) {
-    const double steeper = steepness(forward) - steepness(carried);
+    const double steeper = slope_of(forward) - slope_of(carried);
     const char* const where = std::abs(steeper) < 0.5 * off ? "aside" : steeper > 0 ? "up" : "down";
     return refused(fmt::format("the track would end pointing {} degrees further {} than what follows begins",
                                degrees_text(off), where));

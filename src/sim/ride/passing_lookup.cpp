@@ -48,8 +48,7 @@ std::optional<PassingState> PassingLookup::at(double distance, double back) cons
   const RideSample& from = ride_.samples[i - 1];
   RideSwitch before{i - 1, from.travelled, from.speed, from.acceleration, from.acceleration},
       after{i, to.travelled, to.speed, to.acceleration, to.acceleration};
-  auto next = std::lower_bound(ride_.switches.begin(), ride_.switches.end(), i,
-                               [](const RideSwitch& s, std::size_t sample) { return s.sample < sample; });
+  auto next = std::ranges::lower_bound(ride_.switches, i, {}, &RideSwitch::sample);
   for (; next != ride_.switches.end() && next->sample == i; ++next) {
     if (sign * next->travelled >= way) {
       after = *next;

@@ -94,9 +94,7 @@ double distance_of(const DerivedTrack& derived, TrackPlace place) { return deriv
 Drive drive_at(const TickContext& tick, const TrainContext& context, const Contacts& contacts, const TrainState& state,
                ControlState& control) {
   const std::function<double()> free = [&] {
-    const double pull = context.gravity(state.x);
-    return pull -
-           direction_of(state.speed, context.resistance, [&] { return pull; }) * loss(context.resistance, state.speed);
+    return free_acceleration(context.gravity(state.x), state.speed, context.resistance);
   };
   const double step = tick.row.kind == IntegratorKind::vertices ? world::kTick : 0.0;
   const TrainMoment now{distance_of(context.derived, context.cars.front()) + state.x, state.speed, free, step};

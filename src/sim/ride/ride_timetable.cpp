@@ -126,8 +126,7 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
   constexpr double kSame = 1e-8;  // of the energy
   if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Losses{}) return false;
   auto& carts = motion.carts;
-  if (std::all_of(carts.items().begin(), carts.items().end(),
-                  [](const world::TrainMotion& cart) { return cart.timetable.valid; }))
+  if (std::ranges::all_of(carts.items(), [](const world::TrainMotion& cart) { return cart.timetable.valid; }))
     return true;
   const double least = energy_of_laps(input);
   std::vector<AlikeTrains> families;
@@ -138,7 +137,7 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
     AlikeTrains own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
     own.place = timetable_from(cart);
     own.start = start_of(input, entity, own.place);
-    const auto same = std::find_if(families.begin(), families.end(), [&](const AlikeTrains& f) {
+    const auto same = std::ranges::find_if(families, [&](const AlikeTrains& f) {
       return of_one_kind(f.start, own.start) &&
              std::abs(f.energy - own.energy) <= kSame * std::max(1.0, std::abs(own.energy));
     });

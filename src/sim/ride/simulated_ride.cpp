@@ -81,10 +81,7 @@ class SimulatedTrain {
 
   // Returns the drive from a moment on. Updates `control`.
   Drive drive_at(const TrainState& at, ControlState& control) {
-    const std::function<double()> free = [&] {
-      const double pull = gravity(at.x);
-      return pull - direction_of(at.speed, resistance_, [&] { return pull; }) * loss(resistance_, at.speed);
-    };
+    const std::function<double()> free = [&] { return free_acceleration(gravity(at.x), at.speed, resistance_); };
     return drive_of(*contacts_, place_, {at.x - round_, at.speed, free}, true, control);
   }
 

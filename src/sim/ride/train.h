@@ -31,6 +31,11 @@ double direction_of(double speed, const world::Losses& resistance, const Pull& p
   return acceleration > 0 ? 1.0 : -1.0;
 }
 
+// Returns the acceleration by gravity, `pull`, and losses alone.
+inline double free_acceleration(double pull, double speed, const world::Losses& resistance) {
+  return pull - direction_of(speed, resistance, [&] { return pull; }) * loss(resistance, speed);
+}
+
 // Returns how a ride ends by itself after a tick, if it does. Updates `furthest` (m) and `still`, the ticks at rest.
 inline world::FailureKind end_of_ride(const world::Document& document, double speed, double travelled, bool held,
                                       double& furthest, std::int32_t& still) {

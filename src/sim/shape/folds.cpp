@@ -10,7 +10,6 @@
 
 #include "base/bits.h"
 #include "base/numerics.h"
-#include "curve/continuity.h"
 #include "curve/tight_places.h"
 #include "sim/shape/rails.h"
 
@@ -164,8 +163,7 @@ std::vector<TightBend> tight_bends_of(const SegmentShape& shape) {
 std::vector<TightBend> tight_bends_of(const DerivedTrack& derived) { return Folds(tight_bends_of).update(derived); }
 
 const TightBend& tightest(std::span<const TightBend> bends) {
-  return *std::min_element(bends.begin(), bends.end(),
-                           [](const TightBend& a, const TightBend& b) { return a.radius < b.radius; });
+  return *std::ranges::min_element(bends, {}, &TightBend::radius);
 }
 
 std::string tight_text(std::span<const TightBend> bends) {

@@ -118,7 +118,7 @@ void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector
     if (lone && beside) continue;
     found.push_back({Kind::undefined, segment, at(first), at(i), 0});
   }
-  std::sort(found.begin(), found.end(), [](const FrenetBreak& a, const FrenetBreak& b) { return a.t < b.t; });
+  std::ranges::sort(found, {}, &FrenetBreak::t);
 }
 
 // Adds the cusps that no sample found: there the curvature is unbounded and the normal undefined.

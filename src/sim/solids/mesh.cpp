@@ -98,8 +98,8 @@ void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, 
   if (caps.first) add_face(end, part, from_afar, mesh, rings.front().along);
 }
 
-void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part, bool from_afar, Mesh& mesh,
-              Caps caps) {
+void add_beam(std::span<const Ring> rings, dvec2 a, dvec2 b, Material part, bool from_afar, Mesh& mesh, Caps caps) {
+  const dvec2 low = glm::min(a, b), high = glm::max(a, b);
   add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh, caps);
 }
 

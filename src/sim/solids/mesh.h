@@ -90,8 +90,8 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh);
 // rings: flat sides, and flat ends at `caps`.
 void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outline, Material part, bool from_afar,
                    Mesh& mesh, Caps caps = {});
-// Adds the swept rectangle between two corners.
-void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Material part, bool from_afar, Mesh& mesh,
+// Adds the swept rectangle between two opposite corners.
+void add_beam(std::span<const Ring> rings, glm::dvec2 a, glm::dvec2 b, Material part, bool from_afar, Mesh& mesh,
               Caps caps = {});
 
 // Adds a flat convex face, counter-clockwise as seen from outside. The normal of a face of zero area is up.

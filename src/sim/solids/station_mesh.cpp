@@ -220,14 +220,6 @@ class StationBuilder {
   Material timber_;
 };
 
-// Appends the rings of a segment at every metre or so, upright.
-void append_rings(const SegmentShape& shape, std::vector<Ring>& rings) {
-  for (Ring ring : spaced_rings(shape, 1.0)) {
-    ring.frame.up = curve::perpendicular(ring.frame.forward, {0, 1, 0});
-    rings.push_back(ring);
-  }
-}
-
 }  // namespace
 
 Mesh station_mesh(const DerivedTrack& derived, const Ground& ground, std::string_view name) {
@@ -241,7 +233,8 @@ Mesh station_mesh(const DerivedTrack& derived, const Ground& ground, std::string
   while (derived.closed && start < count && is_station(start)) ++start;
   for (std::size_t i = 0; i < count;) {
     std::vector<Ring> rings;
-    while (i < count && is_station(start + i)) append_rings(derived.shape_at((start + i++) % count), rings);
+    for (; i < count && is_station(start + i); ++i)
+      for (const Ring& ring : level(spaced_rings(derived.shape_at((start + i) % count), 1.0))) rings.push_back(ring);
     if (rings.size() < 2) {
       ++i;
       continue;

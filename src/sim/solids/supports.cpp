@@ -46,10 +46,7 @@ SupportSite site_at(const Ring& at, const CoasterForm& form, const Footing& foot
   site.top = at.position + form.hold * at.frame.up;
   site.height = site.top.y - footing.height(site.top);
   site.radius = std::clamp(0.13 + 0.0055 * site.height, 0.13, 0.36);
-  const dvec3 across(at.frame.forward.z, 0, -at.frame.forward.x), left = level(at.frame.left());
-  site.side = glm::length(across) > 0.2 ? glm::normalize(across)
-              : glm::length(left) > 0.2 ? glm::normalize(left)
-                                        : dvec3(1, 0, 0);
+  site.side = level_side(at.frame);
   const dvec3 back = level(-riders);
   if (glm::length(back) > kLevelPart) site.back = glm::normalize(back);
   site.upright = riders.y > kUpright;
@@ -249,10 +246,9 @@ double wanted_spacing(const SegmentShape& shape) {
 // True if the feet of `bars` are at least kApart from those of the segment's other supports.
 bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
   constexpr float kApart = 1;  // m
-  return std::none_of(bars.begin(), bars.end(), [&](const Bar& bar) {
-    return bar.grounded && std::any_of(others.begin(), others.end(), [&](const Bar& other) {
-             return other.grounded && glm::distance(bar.to, other.to) < kApart;
-           });
+  return std::ranges::none_of(bars, [&](const Bar& bar) {
+    const auto beside = [&](const Bar& other) { return other.grounded && glm::distance(bar.to, other.to) < kApart; };
+    return bar.grounded && std::ranges::any_of(others, beside);
   });
 }
 
@@ -402,8 +398,7 @@ void Supports::take_turns() {
 
 void Supports::mark_disturbed() {
   for (Entry& entry : entries_.items())
-    entry.stale = entry.stale || std::any_of(moved_.begin(), moved_.end(),
-                                             [&](const curve::Box& box) { return meet(entry.reach, box); });
+    entry.stale |= std::ranges::any_of(moved_, [&](const curve::Box& box) { return meet(entry.reach, box); });
 }
 
 SegmentSupports Supports::find_columns(const DerivedTrack& derived, std::size_t index, int count) const {
@@ -414,9 +409,8 @@ SegmentSupports Supports::find_columns(const DerivedTrack& derived, std::size_t 
     if (in_tunnel(derived.starts[index] + s)) continue;
     const Ring at = ring_at(shape, s);
     const bool held = try_forms(at, form_of(shape), {ground_}, [&](std::span<const Bar> bars) {
-      const bool clear = apart(bars, found.bars) && std::all_of(bars.begin(), bars.end(), [&](const Bar& bar) {
-                           return is_clear(derived, lanes_, bar, {index, s});
-                         });
+      const auto is_free = [&](const Bar& bar) { return is_clear(derived, lanes_, bar, {index, s}); };
+      const bool clear = apart(bars, found.bars) && std::ranges::all_of(bars, is_free);
       if (clear) found.bars.insert(found.bars.end(), bars.begin(), bars.end());
       return clear;
     });

@@ -56,11 +56,9 @@ void add_chain(const EquipmentMeshInput& fitting) {
   constexpr double kPitch = 0.30, kTroughHalf = 0.15;
   add_bed(fitting, kTroughHalf);
   const std::vector<Ring> rings = fitting.towards_riders(fitting.rings);
-  for (const double side : {-1.0, 1.0}) {
-    const double outer = side * kTroughHalf, inner = side * (kTroughHalf - 0.03);
-    add_beam(rings, {std::min(outer, inner), kBedTop}, {std::max(outer, inner), kBedTop + 0.06}, Material::tie, false,
+  for (const double side : {-1.0, 1.0})
+    add_beam(rings, {side * kTroughHalf, kBedTop}, {side * (kTroughHalf - 0.03), kBedTop + 0.06}, Material::tie, false,
              fitting.mesh);
-  }
   add_beam(rings, {-0.025, kBedTop}, {0.025, kBedTop + 0.055}, Material::chain, true, fitting.mesh);
   for (const Ring& at : fitting.rows(kPitch)) {
     for (const double side : {-1.0, 1.0})
@@ -89,12 +87,6 @@ void add_stators(const EquipmentMeshInput& fitting) {
       add_block(at, {0.16 * side, kBedTop + 0.215}, {0.25, 0.015, 0.06}, Material::chain, false, fitting.mesh);
     }
   }
-}
-
-// Returns rings that are upright for any roll: left is level, up is perpendicular to it and to the track.
-std::vector<Ring> level(std::vector<Ring> rings) {
-  for (Ring& ring : rings) ring.frame.up = curve::perpendicular(ring.frame.forward, {0, 1, 0});
-  return rings;
 }
 
 bool walkable(const std::vector<Ring>& rings, double most_slope, double least_up) {
@@ -139,8 +131,7 @@ void add_platforms(const EquipmentMeshInput& fitting) {
     add_beam(rings, {-kInner, floor - kThick}, {kInner, floor - 0.12}, Material::deck, true, fitting.mesh);
   for (const double side : {-1.0, 1.0}) {
     const auto strip = [&](double inner, double outer, double low, double high, Material part) {
-      add_beam(rings, {std::min(side * inner, side * outer), low}, {std::max(side * inner, side * outer), high}, part,
-               true, fitting.mesh);
+      add_beam(rings, {side * inner, low}, {side * outer, high}, part, true, fitting.mesh);
     };
     strip(kInner, kOuter, floor - kThick, floor, Material::concrete);
     strip(kInner + 0.06, kInner + 0.06 + kEdge, floor, floor + 0.012, Material::stripe);
@@ -289,6 +280,17 @@ std::vector<Ring> rings_of(const SegmentShape& shape, int most) {
   if (!(shape.arc.length() > 0))
     rings.back() = knot_ring(shape, shape.key.cubic.p3, knot_frame(shape.key.tangent_to, shape.key.up_to), 1);
   return rings;
+}
+
+std::vector<Ring> level(std::vector<Ring> rings) {
+  for (Ring& ring : rings) ring.frame.up = curve::perpendicular(ring.frame.forward, {0, 1, 0});
+  return rings;
+}
+
+dvec3 level_side(const curve::Frame& frame) {
+  const dvec3 across(frame.forward.z, 0, -frame.forward.x), left(frame.left().x, 0, frame.left().z);
+  if (glm::length(across) > 0.2) return glm::normalize(across);
+  return glm::length(left) > 0.2 ? glm::normalize(left) : dvec3(1, 0, 0);
 }
 
 std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing) {

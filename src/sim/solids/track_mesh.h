@@ -25,6 +25,11 @@ std::vector<double> ring_places(const SegmentShape& shape, int most = kMaxRings)
 std::vector<Ring> rings_of(const SegmentShape& shape, int most = kMaxRings);
 // Returns the rings at the middles of equal parts of about `spacing` metres.
 std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
+// Returns rings that are upright for any roll: left is level, up is perpendicular to it and to the track.
+std::vector<Ring> level(std::vector<Ring> rings);
+
+// Returns a unit vector that is level and across the track; on vertical track the level part of its left.
+glm::dvec3 level_side(const curve::Frame& frame);
 
 // Returns the form of the kind that the shape's track is of.
 inline const CoasterForm& form_of(const SegmentShape& shape) { return form_of(shape.key.kind); }

@@ -14,8 +14,9 @@ using glm::dvec3;
 
 constexpr curve::Frame kAhead{{1, 0, 0}, {0, 1, 0}};
 
-void add_block(dvec3 low, dvec3 high, Material part, Mesh& mesh) {
-  add_box(0.5 * (low + high), kAhead, 0.5 * (high - low), part, true, mesh);
+// Adds a block between two opposite corners.
+void add_block(dvec3 a, dvec3 b, Material part, Mesh& mesh) {
+  add_box(0.5 * (a + b), kAhead, 0.5 * glm::abs(b - a), part, true, mesh);
 }
 
 // Adds a block whose upper face is shifted by `lean` along X.
@@ -261,12 +262,10 @@ Mesh wooden_car(bool leading, CarRiders riders) {
   Mesh mesh;
   add_block({-1.10, 0.24, -0.60}, {1.06, 0.30, 0.60}, Material::chassis, mesh);
   for (const double side : {-1.0, 1.0}) {
-    const double inner = 0.54 * side, outer = 0.60 * side;
-    add_block({-1.10, 0.30, std::min(inner, outer)}, {1.00, 0.78, std::max(inner, outer)}, Material::body, mesh);
-    add_block({-1.10, 0.52, std::min(outer, outer + 0.012 * side)}, {1.00, 0.60, std::max(outer, outer + 0.012 * side)},
-              Material::stripe, mesh);
-    add_block({-1.10, 0.78, std::min(inner, outer) - 0.02}, {1.02, 0.82, std::max(inner, outer) + 0.02}, Material::seat,
-              mesh);
+    const double inner = 0.54 * side, outer = 0.60 * side, rim = 0.02 * side;
+    add_block({-1.10, 0.30, inner}, {1.00, 0.78, outer}, Material::body, mesh);
+    add_block({-1.10, 0.52, outer}, {1.00, 0.60, outer + 0.012 * side}, Material::stripe, mesh);
+    add_block({-1.10, 0.78, inner - rim}, {1.02, 0.82, outer + rim}, Material::seat, mesh);
   }
   add_block({-1.10, 0.30, -0.60}, {-1.04, 1.12, 0.60}, Material::body, mesh);
   if (leading) {

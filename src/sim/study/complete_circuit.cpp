@@ -38,14 +38,12 @@ struct Obstacles {
   std::map<int, Place> places;  // by tens of metres along the track; below 0: the section itself
   int count = 0;
   void add(std::span<const LineConflict> parts) {
-    const LineConflict& worst = *std::max_element(
-        parts.begin(), parts.end(), [](const LineConflict& a, const LineConflict& b) { return a.missing < b.missing; });
+    const LineConflict& worst = *std::ranges::max_element(parts, {}, &LineConflict::missing);
     Place& place = places[worst.other < 0 ? -1 : static_cast<int>(worst.other / 10)];
     ++place.count, place.sum += worst.other, ++count;
   }
   std::string refusal() const {
-    const auto& [tens, place] = *std::max_element(
-        places.begin(), places.end(), [](const auto& a, const auto& b) { return a.second.count < b.second.count; });
+    const auto& [tens, place] = *std::ranges::max_element(places, {}, [](const auto& at) { return at.second.count; });
     if (tens < 0) return "every closing section would cross itself";
     return fmt::format("other track is in the way: closing sections come too close to it, most often at {} m",
                        std::round(place.sum / place.count));
@@ -64,8 +62,8 @@ bool buried(const CircuitTask& task, const ElementCurve& curve) {
   const double floor = std::min(bottom(task) + kLowestRails,
                                 std::min(task.from.position.y, task.home.position.y) + std::min(task.rails, 0.0)) -
                        0.05;
-  return std::any_of(curve.points.begin(), curve.points.end(),
-                     [&](const ElementPoint& p) { return (p.position + task.rails * p.up).y < floor; });
+  return std::ranges::any_of(curve.points,
+                             [&](const ElementPoint& p) { return (p.position + task.rails * p.up).y < floor; });
 }
 
 bool resembles(const ElementPlan& a, const ElementPlan& b) {
@@ -275,10 +273,7 @@ CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& 
 CircuitProposals complete_circuit(const CircuitTask& task, const DerivedTrack& derived, const Conflicts& conflicts) {
   CircuitProposals found =
       searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide, {}});
-  std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
-    const auto cost = [](const CircuitProposal& p) { return cost_of(p.plan.length, p.felt); };
-    return cost(a) < cost(b);
-  });
+  std::ranges::stable_sort(found.list, {}, [](const CircuitProposal& p) { return cost_of(p.plan.length, p.felt); });
   return found;
 }
 

@@ -107,8 +107,7 @@ void measure_next(Measurement& m, const Clock& clock) {
 double progress(const Measurement& m) { return m.total == 0 ? 0.0 : static_cast<double>(m.next) / m.total; }
 
 const MeasuredRow* row_of(const Measurement& m, curve::EvaluatorId evaluator) {
-  const auto found =
-      std::find_if(m.rows.begin(), m.rows.end(), [&](const MeasuredRow& row) { return row.evaluator == evaluator; });
+  const auto found = std::ranges::find(m.rows, evaluator, &MeasuredRow::evaluator);
   return found == m.rows.end() ? nullptr : &*found;
 }
 

@@ -10,8 +10,6 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;
-
 // A second-order section, by the bilinear transform of 1 / (p^2 + p/q + 1) with the cutoff preserved.
 struct FilterSection {
   double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
@@ -88,11 +86,8 @@ void find_spans(const SimulatedRide& simulated, const ForceLimitCurves& envelope
     depth += i < values.size() ? edges[i] : -depth;
     if (before == 0 && depth > 0) begin = i;
     if (!(before > 0 && depth == 0)) continue;
-    const auto worst =
-        static_cast<std::size_t>(std::max_element(over.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                  over.begin() + static_cast<std::ptrdiff_t>(i),
-                                                  [](const Over& a, const Over& b) { return a.excess < b.excess; }) -
-                                 over.begin());
+    const Over* const most = std::ranges::max_element(&over[begin], over.data() + i, {}, &Over::excess);
+    const auto worst = static_cast<std::size_t>(most - over.data());
     out.push_back({car, axis, static_cast<double>(begin) / kForceRate, static_cast<double>(i - 1) / kForceRate,
                    distance(begin), distance(i - 1), values[worst], over[worst].allowed,
                    static_cast<double>(worst) / kForceRate});

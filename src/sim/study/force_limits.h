@@ -13,6 +13,8 @@
 
 namespace coaster::sim {
 
+inline constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;  // entries per second
+
 // The directions in which a rider is pressed or lifted, each with its own limit.
 enum class ForceAxis : std::uint8_t { down, lift, side, forward, back };  // +Gz, -Gz, +-Gy, +Gx, -Gx
 inline constexpr base::NameRow kForceAxisRows[] = {{"down", "Vertical"},

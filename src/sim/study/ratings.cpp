@@ -60,15 +60,26 @@ struct HeadOnLand {
   }
 };
 
-HeadOnLand head_at(const DerivedTrack& derived, const Ground& ground, double distance) {
+Ring ring_along(const DerivedTrack& derived, double distance) {
   const TrackPlace place = place_at(derived, distance);
-  const Ring ring = ring_at(derived.shape_at(place.index), place.s);
-  const dvec3 forward = ring.frame.forward, left = ring.frame.left();
-  dvec3 across(forward.z, 0, -forward.x);
-  if (glm::length(across) < 0.2) across = {left.x, 0, left.z};
-  const double length = glm::length(across);
-  return {ground, ring.place(0, form_of(derived.made.kind).head), length > 1e-6 ? across / length : dvec3(1, 0, 0),
-          ground.tunnel_at(distance)};
+  return ring_at(derived.shape_at(place.index), place.s);
+}
+
+// Calls visit(sample, distance along the track) for samples of the first lap, `step` m or a little more apart.
+void each_look(const SimulatedRide& simulated, const DerivedTrack& derived, double step, const auto& visit) {
+  double next = 0;
+  for (std::size_t i = 0; i < simulated.samples.size() && !base::interrupted(); ++i) {
+    const RideSample& sample = simulated.samples[i];
+    if (sample.travelled < next) continue;
+    if (simulated.closed && sample.travelled > derived.length) break;
+    next = sample.travelled + step;
+    visit(sample, simulated.distance(i));
+  }
+}
+
+HeadOnLand head_at(const DerivedTrack& derived, const Ground& ground, double distance) {
+  const Ring ring = ring_along(derived, distance);
+  return {ground, ring.place(0, form_of(derived.made.kind).head), level_side(ring.frame), ground.tunnel_at(distance)};
 }
 
 constexpr double kStep = 2;               // m, of chords and samples
@@ -254,24 +265,20 @@ Surroundings surroundings_of(const SimulatedRide& simulated, const DerivedTrack&
   if (ground.plain() || derived.order.empty() || simulated.samples.empty()) return around;
   std::set<const Tunnel*> passed;
   const Tunnel* before = nullptr;
-  double next = 0, last_miss = -std::numeric_limits<double>::infinity();
+  double last_miss = -std::numeric_limits<double>::infinity();
   int looks = 0, close = 0, inside = 0;
-  for (std::size_t i = 0; i < simulated.samples.size() && !base::interrupted(); ++i) {
-    const RideSample& sample = simulated.samples[i];
-    if (sample.travelled < next) continue;
-    if (simulated.closed && sample.travelled > derived.length) break;
-    next = sample.travelled + kGroundStep;
-    const HeadOnLand here = head_at(derived, ground, simulated.distance(i));
+  each_look(simulated, derived, kGroundStep, [&](const RideSample& sample, double at) {
+    const HeadOnLand here = head_at(derived, ground, at);
     const double tree = here.tunnel == nullptr ? plants.distance(here.head, kCloseBy) : kCloseBy;
     const bool portal = looks > 0 && here.tunnel != before;
     ++looks, before = here.tunnel;
     if (here.tunnel != nullptr) passed.insert(here.tunnel), ++inside;
     if (tree < kCloseBy || here.water_within(kCloseBy) || here.earth_within(kCloseBy)) ++close;
-    if (sample.speed < kSlowestMiss) continue;
-    if (!portal && !(tree < kNearTree) && !here.water_within(kNearWater) && !here.earth_within(kNearEarth)) continue;
+    if (sample.speed < kSlowestMiss) return;
+    if (!portal && !(tree < kNearTree) && !here.water_within(kNearWater) && !here.earth_within(kNearEarth)) return;
     if (sample.travelled - last_miss > kMissApart) ++around.near_misses;
     last_miss = sample.travelled;
-  }
+  });
   around.tunnels = static_cast<int>(passed.size()), around.in_tunnels = kGroundStep * inside;
   around.close = looks > 0 ? static_cast<double>(close) / looks : 0.0;
   return around;
@@ -287,16 +294,10 @@ NearMisses near_misses(const SimulatedRide& simulated, const DerivedTrack& deriv
     return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;
   };
   constexpr double kNever = -std::numeric_limits<double>::infinity();
-  double next = 0, last_track = kNever, last_support = kNever;
-  for (std::size_t i = 0; i < simulated.samples.size() && !base::interrupted(); ++i) {
-    const RideSample& sample = simulated.samples[i];
-    if (sample.travelled < next) continue;
-    if (simulated.closed && sample.travelled > derived.length) break;
-    next = sample.travelled + kStep;
-    if (sample.speed < kSlowestMiss) continue;
-    const double at = simulated.distance(i);
-    const TrackPlace place = place_at(derived, at);
-    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, form_of(derived.made.kind).head);
+  double last_track = kNever, last_support = kNever;
+  each_look(simulated, derived, kStep, [&](const RideSample& sample, double at) {
+    if (sample.speed < kSlowestMiss) return;
+    const dvec3 head = ring_along(derived, at).place(0, form_of(derived.made.kind).head);
     bool by_track = false, by_support = false;
     cells.visit(head, [&](const NearMissObject& thing) {
       bool& near = thing.support ? by_support : by_track;
@@ -307,7 +308,7 @@ NearMisses near_misses(const SimulatedRide& simulated, const DerivedTrack& deriv
     if (by_support && sample.travelled - last_support > kMissApart) ++found.supports;
     if (by_track) last_track = sample.travelled;
     if (by_support) last_support = sample.travelled;
-  }
+  });
   return found;
 }
 

@@ -14,7 +14,6 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;  // entries per second
 constexpr double kDegrees = 180.0 / base::kPi;
 
 double magnitude(const FeltAcceleration& force) {
@@ -29,7 +28,7 @@ void fill_jerk(const SimulatedRide& simulated, int car, float FeltAcceleration::
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, felt.size() - 1);
     if (after == before) continue;
     samples[k].jerk.*axis =
-        (felt[after] - felt[before]) * static_cast<float>(kRate / static_cast<double>(after - before));
+        (felt[after] - felt[before]) * static_cast<float>(kForceRate / static_cast<double>(after - before));
   }
 }
 
@@ -361,8 +360,7 @@ WheelLoads wheel_loads(const SimulatedRide& simulated, std::size_t entry, int ca
 }
 
 const SectionFigures& SectionTable::of(const world::SectionRun& run) const {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const SectionFigures& row) { return row.run.section == run.section; });
+  const auto found = std::ranges::find(rows, run.section, [](const SectionFigures& row) { return row.run.section; });
   COASTER_CHECK(found != rows.end(), "every section has its figures");
   return *found;
 }
