@@ -45,7 +45,9 @@ TEST(link, every_sample_track_comes_back_with_its_hash_and_view) {
     ASSERT_TRUE(track.ok()) << track.status().message;
     const std::string link = "https://example.org/coaster/" + print_link(track->document, skew_view());
     // Those in a park have three times as many knots: shared as files.
-    if (track->document.park.plain()) { EXPECT_LT(link.size(), kMaxLinkBytes) << entry.path(); }
+    if (track->document.park.plain()) {
+      EXPECT_LT(link.size(), kMaxLinkBytes) << entry.path();
+    }
     ASSERT_TRUE(is_link(link));
     const auto loaded = load_track(files, link);
     ASSERT_TRUE(loaded.ok()) << loaded.status().message;
