@@ -71,13 +71,31 @@ template <class Range, class Value>
 constexpr void fill(Range&& range, const Value& value) {
   std::fill(std::begin(range), std::end(range), value);
 }
-template <class Range>
-constexpr auto max_element(Range&& range) {
-  return std::max_element(std::begin(range), std::end(range));
+template <class Range, class Value>
+constexpr auto count(Range&& range, const Value& value) {
+  return std::count(std::begin(range), std::end(range), value);
+}
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+constexpr auto min_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::min_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) -> bool {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  });
+}
+template <class Range, class Less = std::less<>, class Projection = std::identity>
+constexpr auto max_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::max_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) -> bool {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  });
 }
 template <class Range>
 constexpr auto minmax_element(Range&& range) {
   return std::minmax_element(std::begin(range), std::end(range));
+}
+template <class Range, class Value, class Less = std::less<>, class Projection = std::identity>
+constexpr auto lower_bound(Range&& range, const Value& value, Less less = {}, Projection projection = {}) {
+  return std::lower_bound(std::begin(range), std::end(range), value, [&](const auto& item, const auto& wanted) -> bool {
+    return std::invoke(less, std::invoke(projection, item), wanted);
+  });
 }
 template <class Range, class Value, class Less = std::less<>, class Projection = std::identity>
 constexpr auto upper_bound(Range&& range, const Value& value, Less less = {}, Projection projection = {}) {

@@ -22,7 +22,7 @@ constexpr Flora kFloras[] = {
 
 constexpr double kPlantCell = 5;    // m, side of a cell that holds at most one plant
 constexpr double kTrackReach = 44;  // m
-constexpr double kTile = GroundPatch::kLength;
+constexpr double kPatchSide = GroundPatch::kLength;
 
 struct Spot {
   double x, z, height, slope;  // slope: y of the ground's unit normal
@@ -80,14 +80,15 @@ class Planter {
         corner_(patch.corner()) {
     for (std::size_t s = 0; s < ground.samples().size(); ++s) {
       const glm::dvec2 at(ground.samples()[s].at.x, ground.samples()[s].at.z), from = at - corner_;
-      if (std::min(from.x, from.y) > -kTrackReach && std::max(from.x, from.y) < kTile + kTrackReach) near_.push_back(s);
+      if (std::min(from.x, from.y) > -kTrackReach && std::max(from.x, from.y) < kPatchSide + kTrackReach)
+        near_.push_back(s);
     }
   }
 
   std::vector<Plant> plants() const {
     std::vector<Plant> plants;
-    for (int z = static_cast<int>(std::floor(corner_.y / kPlantCell)); z * kPlantCell < corner_.y + kTile; ++z)
-      for (int x = static_cast<int>(std::floor(corner_.x / kPlantCell)); x * kPlantCell < corner_.x + kTile; ++x)
+    for (int z = static_cast<int>(std::floor(corner_.y / kPlantCell)); z * kPlantCell < corner_.y + kPatchSide; ++z)
+      for (int x = static_cast<int>(std::floor(corner_.x / kPlantCell)); x * kPlantCell < corner_.x + kPatchSide; ++x)
         if (const auto plant = plant_in(x, z)) plants.push_back(*plant);
     return plants;
   }
@@ -97,7 +98,8 @@ class Planter {
     const auto chance = [&](std::uint32_t which) { return random_at(x, z, park_.seed + kPlace + which); };
     const double px = (x + 0.15 + 0.7 * chance(0)) * kPlantCell, pz = (z + 0.15 + 0.7 * chance(1)) * kPlantCell;
     // A plant belongs to the patch it stands on.
-    if (px < corner_.x || px >= corner_.x + kTile || pz < corner_.y || pz >= corner_.y + kTile) return std::nullopt;
+    if (px < corner_.x || px >= corner_.x + kPatchSide || pz < corner_.y || pz >= corner_.y + kPatchSide)
+      return std::nullopt;
     const double wooded = density(ground_, px, pz), keep = chance(2);
     const bool tree = keep < wooded, bush = !tree && wooded > 0 && keep < wooded + 0.06;
     const bool rock = !tree && !bush && chance(3) < flora_.rocks;
@@ -156,8 +158,9 @@ double Plants::distance(glm::dvec3 at, double most) const {
   double nearest = most;
   constexpr double kCrown = 4;  // m
   for (const PatchPlants& patch : patches_) {
-    const double x0 = patch.place.x * kTile, z0 = patch.place.z * kTile, reach = most + kCrown;
-    if (at.x < x0 - reach || at.x > x0 + kTile + reach || at.z < z0 - reach || at.z > z0 + kTile + reach) continue;
+    const double x0 = patch.place.x * kPatchSide, z0 = patch.place.z * kPatchSide, reach = most + kCrown;
+    if (at.x < x0 - reach || at.x > x0 + kPatchSide + reach || at.z < z0 - reach || at.z > z0 + kPatchSide + reach)
+      continue;
     for (const Plant& plant : patch.plants) {
       if (!is_tree(plant)) continue;
       const double dx = at.x - double{plant.foot.x}, dz = at.z - double{plant.foot.z}, size = double{plant.size};

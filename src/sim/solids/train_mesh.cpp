@@ -290,6 +290,12 @@ Mesh inverted_car(bool leading, CarRiders riders) {
   Mesh mesh;
   add_bogies(mesh);
   add_block({-1.10, -0.36, -0.40}, {leading ? 0.90 : 1.10, -0.20, 0.40}, Material::chassis, mesh);
+  // Arms below the rails hold the bogies from there.
+  for (const double x : {-0.66, 0.66}) {
+    add_block({x - 0.05, -0.36, -0.933}, {x + 0.05, -0.30, 0.933}, Material::chassis, mesh);
+    for (const double z : {-0.915, 0.915})
+      add_block({x - 0.05, -0.36, z - 0.018}, {x + 0.05, -0.2, z + 0.018}, Material::chassis, mesh);
+  }
   if (leading) add_ball({0.90, -0.24, 0}, {0.20, 0.14, 0.44}, 16, Material::body, mesh);
   RiderRow seats(riders);
   for (const double row : {-0.10, -0.74}) {

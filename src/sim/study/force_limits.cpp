@@ -86,8 +86,8 @@ void find_spans(const SimulatedRide& simulated, const ForceLimitCurves& envelope
     depth += i < values.size() ? edges[i] : -depth;
     if (before == 0 && depth > 0) begin = i;
     if (!(before > 0 && depth == 0)) continue;
-    const Over* const most = std::ranges::max_element(&over[begin], over.data() + i, {}, &Over::excess);
-    const auto worst = static_cast<std::size_t>(most - over.data());
+    const std::span<const Over> run(&over[begin], i - begin);
+    const auto worst = begin + static_cast<std::size_t>(std::ranges::max_element(run, {}, &Over::excess) - run.begin());
     out.push_back({car, axis, static_cast<double>(begin) / kForceRate, static_cast<double>(i - 1) / kForceRate,
                    distance(begin), distance(i - 1), values[worst], over[worst].allowed,
                    static_cast<double>(worst) / kForceRate});

@@ -113,6 +113,17 @@ TEST_P(TrainMeshOfKind, riders_hearts_are_at_the_kinds_heartline) {
   EXPECT_LT(hair.high.y, heart + 0.75);
 }
 
+TEST_P(TrainMeshOfKind, nothing_of_a_car_floats_or_hangs_below_its_riders_shoes_and_wheels) {
+  for (const bool leading : {true, false})
+    for (const bool raised : {true, false}) {
+      const Mesh mesh = car_mesh(GetParam(), leading, {0, raised});
+      EXPECT_EQ(test::separate_groups(mesh, 0.02f), 1) << leading << " " << raised;
+      const auto frame = [](const MeshVertex& v) { return of(Material::body)(v) || of(Material::stripe)(v); };
+      const auto others = [&](const MeshVertex& v) { return !frame(v); };
+      EXPECT_GE(bounds_of(mesh, frame).low.y, bounds_of(mesh, others).low.y) << leading << " " << raised;
+    }
+}
+
 TEST(train_mesh, the_leading_car_alone_has_a_nose) {
   const auto high_in_front = [](const MeshVertex& v) { return of(Material::body)(v) && v.position.x > 0.5f; };
   const Bounds nose = bounds_of(car_mesh({}, true), high_in_front),
