@@ -35,7 +35,7 @@ constexpr double kInsideLag = 0.35;      // s, to go into the tube of a tunnel, 
 constexpr double kBeforeRoof = 1;        // s before a tunnel or a station, and at least
 constexpr double kLeastBefore = 8;       // m
 constexpr double kTubeNearer = 0.6;      // of the distance behind the train, within a tube
-constexpr double kInTube = 1, kTubeEdge = 0.5;  // m over its middle; m from its wall
+constexpr double kInTube = 1, kTubeEdge = 0.5;  // m over its middle, if no train hangs; m from its wall
 constexpr double kClear = 2.4;                  // m from the track that the eye keeps if possible
 constexpr double kSightClear = 1.3;             // m from the track that the first half of the line of sight keeps
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ TubePlace tube_place(const CameraSubject& w, const RiddenTrain& ridden) {
   const sim::Pose pose = sim::pose(w.derived, place, world::FrameMethod::knots);
   TubePlace tube;
   tube.axis = pose.position + w.ground->room().lift * pose.frame.up;
-  tube.eye = tube.axis + kInTube * pose.frame.up;
+  tube.eye = tube.axis + (hangs(w) ? 0 : kInTube) * pose.frame.up;
   tube.in_tunnel = w.ground->tunnel_at(w.derived.starts[place.index] + place.s) != nullptr;
   return tube;
 }
