@@ -59,7 +59,11 @@ float ground_shadow(vec2 place, vec2 x, vec2 y) {
 // Returns the fraction of sunlight at a point of a solid with a normal: depth comparison over about two texels.
 float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, vec3 normal) {
   // Offset from the surface by a texel, so that it does not shade itself; the map holds the far sides of casters.
-  vec3 at = (to_map * vec4(world + (0.6 * texel.x) * normal + (0.25 * texel.x) * air.sun.xyz, 1.0)).xyz;
+  float away = 0.6;
+#ifdef PARK
+  away += 1.4 - 1.4 * max(dot(normal, air.sun.xyz), 0.0);  // more where a texel covers much of it
+#endif
+  vec3 at = (to_map * vec4(world + (away * texel.x) * normal + (0.25 * texel.x) * air.sun.xyz, 1.0)).xyz;
   vec2 edge = 0.5 - abs(at.xy - 0.5);
   if (min(min(edge.x, edge.y), at.z) <= 0.0) return 1.0;
   at.z = min(at.z, 1.0);  // beyond the map's depth everything in it is nearer to the sun
