@@ -62,7 +62,7 @@ double picture_ms(app::Program& program, platform::Size size, bool riding) {
   for (int i = 0; i < 7; ++i) {
     app::run_frame(program, {platform::Tick{1.0 / 60}}, riding ? 2 : 0);
     least = std::min(least, 1e3 * seconds([&] {
-                              app::draw_scene_alone(program, program.picture.view, size);
+                              app::draw_scene_alone(program, size);
                               program.gl.Finish();
                             }));
   }
@@ -195,7 +195,7 @@ Opened opened(const world::Document& document, world::Scenery scenery) {
     app::run_frame(*program, {platform::Tick{0}}, 0);
     figures.kb_uploaded += static_cast<double>(program->stats.park_upload_bytes) / 1e3;
   }
-  app::draw_scene_alone(*program, program->picture.view, kLarge);
+  app::draw_scene_alone(*program, kLarge);
   malloc_trim(0);
   figures.mb = resident_mb();  // with the code of a software OpenGL's shaders, and of what compiles them
   figures.draw_calls = program->stats.draw_calls;
