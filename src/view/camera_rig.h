@@ -68,8 +68,8 @@ struct CameraRig {
   double roll_lag = 0;                         // rad by which `up` lags the track's, including whole turns
   double roll_rate = 0;                        // rad/s of `up` about `forward`
   Damped<double> widening, elevation, beside;  // degrees; rad above the horizon; rad to the train's left
-  Damped<double> inside;                       // 0..1: the chase camera close behind the train, in a tunnel or a station
-  Damped<glm::dvec3> bob, aside;               // m on the seat's axes; m to stay clear of the track
+  Damped<double> inside;          // 0..1: the chase camera close behind the train, in a tunnel or a station
+  Damped<glm::dvec3> bob, aside;  // m on the seat's axes; m to stay clear of the track
 
   // The transition from the previous eye to this one: the remaining offset.
   int ticks_left = 0;
