@@ -33,7 +33,7 @@ string(REGEX REPLACE "([A-Z])" "\\1*:" capitals ABCDEFGHIJKLMNOPQRSTUVWXYZ)
 set(core ${NODE} --no-experimental-fetch --stack-size=4000 $<TARGET_FILE:core_tests>)
 add_test(NAME web.core.1 COMMAND ${core} --gtest_filter=${capitals}-${unlike})
 add_test(NAME web.core.2 COMMAND ${core} --gtest_filter=-${capitals}${unlike})
-set_tests_properties(web.core.1 web.core.2 PROPERTIES LABELS web TIMEOUT 1200 COST 200)
+set_tests_properties(web.core.1 web.core.2 PROPERTIES LABELS web TIMEOUT 2100 COST 200)
 
 # The scripts run in parts side by side (ctest -j).
 set(parts 4)
