@@ -61,7 +61,7 @@ float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, 
   // Offset from the surface by a texel, so that it does not shade itself; the map holds the far sides of casters.
   float away = 0.6;
 #ifdef PARK
-  away += 1.4 - 1.4 * max(dot(normal, air.sun.xyz), 0.0);  // more where a texel covers much of it
+  away += 1.4 - 1.4 * max(dot(normal, air.sun.xyz), 0.0);  // more where the sun meets it at an angle
 #endif
   vec3 at = (to_map * vec4(world + (away * texel.x) * normal + (0.25 * texel.x) * air.sun.xyz, 1.0)).xyz;
   vec2 edge = 0.5 - abs(at.xy - 0.5);

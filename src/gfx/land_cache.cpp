@@ -78,7 +78,7 @@ float distance_to(const Box& box, glm::vec3 from) {
 }
 
 Box box_of(const sim::LandPatch& patch, float above) {
-  constexpr auto kSide = static_cast<float>(world::kGroundTileCells * world::kGroundCell);  // m
+  constexpr auto kSide = static_cast<float>(sim::GroundPatch::kLength);
   return {{patch.corner.x, patch.low, patch.corner.y},
           {patch.corner.x + kSide, patch.high + above, patch.corner.y + kSide}};
 }

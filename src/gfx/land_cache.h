@@ -73,7 +73,7 @@ class LandCache {
       : gl_(&gl), grid_(gl), heights_(gl), finish_(gl), light_(gl), own_(gl), shared_(gl), far_(gl), far_indices_(gl) {}
 
   struct UploadStats {
-    int patches = 0;         // whose vertices or triangles were written
+    int patches = 0;         // whose vertices were written
     std::int64_t bytes = 0;  // of all that was written
   };
   UploadStats sync(const sim::Ground& ground, const sim::LandMesh& mesh);

@@ -7,7 +7,7 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kTile = static_cast<float>(world::kGroundTileCells * world::kGroundCell);  // m
+constexpr auto kTile = static_cast<float>(sim::GroundPatch::kLength);
 constexpr float kMostSunk = 8;     // m, as in shaders/park_plant.vert
 constexpr float kCrownMiddle = 5;  // m over the foot
 

@@ -14,6 +14,7 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/coaster_form.h"
+#include "world/appearance_settings.h"
 #include "world/camera_feel.h"
 
 namespace coaster::view {
@@ -70,6 +71,12 @@ double least_height(const CameraSubject& w, const dvec3& eye) {
 
 bool on_land(const CameraSubject& w) { return w.ground != nullptr && !w.ground->plain(); }
 
+sim::TrackRoom room_of(const CameraSubject& w) { return sim::track_room(sim::form_of(w.derived.made.kind)); }
+
+bool in_tunnel(const CameraSubject& w, double distance) {
+  return w.ground != nullptr && w.ground->tunnel_at(distance) != nullptr;
+}
+
 // The place on the track from where a train in a tunnel is seen, or in a station: behind it in the middle of the tube.
 struct TubePlace {
   dvec3 axis{0}, eye{0};
@@ -80,21 +87,29 @@ TubePlace tube_place(const CameraSubject& w, const RiddenTrain& ridden) {
   const sim::TrackPlace place = sim::behind(w.derived, ridden.front_place, behind);
   const sim::Pose pose = sim::pose(w.derived, place, world::FrameMethod::knots);
   TubePlace tube;
-  tube.axis = pose.position + w.ground->room().lift * pose.frame.up;
+  tube.axis = pose.position + room_of(w).lift * pose.frame.up;
   tube.eye = tube.axis + (hangs(w) ? 0 : kInTube) * pose.frame.up;
-  tube.in_tunnel = w.ground->tunnel_at(w.derived.starts[place.index] + place.s) != nullptr;
+  tube.in_tunnel = in_tunnel(w, w.derived.starts[place.index] + place.s);
   return tube;
+}
+
+// True where scenery shows the roof of a station over the track.
+bool at_station(const CameraSubject& w, double distance) {
+  if (w.settings.look->scenery == world::Scenery::plain) return false;
+  const world::Entity segment = w.derived.order[sim::place_at(w.derived, distance).index];
+  const auto* const equipment = w.document.entities.find<world::Equipment>(segment);
+  return equipment != nullptr && equipment->kind == world::EquipmentKind::station;
 }
 
 // True from before the train enters a tunnel or a station until the eye outside would be out of the hill or the roof.
 bool near_roof(const CameraSubject& w, const RiddenTrain& ridden) {
-  if (!on_land(w) || !(w.derived.length > 0)) return false;
+  if (!(w.derived.length > 0)) return false;
   constexpr double kStep = 3, kAfter = 5, kMostBefore = 150;  // m
   const double front = w.derived.starts[ridden.front_place.index] + ridden.front_place.s, length = w.derived.length;
   const double to = front + std::clamp(kBeforeRoof * std::abs(ridden.motion.speed), kLeastBefore, kMostBefore);
   for (double s = front - 0.5 * ridden.length - distance_to(w, ridden) - kAfter; s <= to; s += kStep) {
     const double at = w.derived.closed ? s - length * std::floor(s / length) : s;
-    if (w.ground->roofed_at(at)) return true;
+    if (in_tunnel(w, at) || at_station(w, at)) return true;
   }
   return false;
 }
@@ -116,7 +131,7 @@ dvec3 kept_in_tube(const CameraRig& rig, const CameraSubject& w, const RiddenTra
   eye = glm::mix(eye, tube.eye, share);
   if (!tube.in_tunnel) return {eye.x, std::max(eye.y, surface_at(w.ground, eye.x, eye.z) + double{kLowestEye}), eye.z};
   const dvec3 off = eye - tube.axis;
-  const double away = glm::length(off), most = w.ground->room().tube - kTubeEdge;
+  const double away = glm::length(off), most = room_of(w).tube - kTubeEdge;
   return away > most ? tube.axis + most / away * off : eye;
 }
 
@@ -349,10 +364,8 @@ Eye chase(CameraRig& rig, const CameraSubject& w, const RiddenTrain& ridden, dou
   Eye eye;
   eye.position = wanted + rig.aside.value;
   eye.position.y = std::max(eye.position.y, least_height(w, eye.position));
-  if (on_land(w)) {
-    rig.inside.approach(near_roof(w, ridden) ? 1 : 0, kInsideLag, dt);
-    eye.position = kept_in_tube(rig, w, ridden, eye.position);
-  }
+  rig.inside.approach(near_roof(w, ridden) ? 1 : 0, kInsideLag, dt);
+  eye.position = kept_in_tube(rig, w, ridden, eye.position);
   const dvec3 to = looked_at(w, ridden) - eye.position;
   const double distance = glm::length(to);
   eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();

@@ -3,6 +3,7 @@
 
 #include "sim/lands.h"
 #include "view/watch.h"
+#include "world/appearance_settings.h"
 #include "world/camera_feel.h"
 
 namespace coaster::view {
@@ -99,25 +100,28 @@ TEST(CameraOnLand, chasing_keeps_to_the_tube_in_a_tunnel_and_over_the_ground_out
   EXPECT_GT(outside, 300);
 }
 
-TEST(CameraOnLand, chasing_looks_below_the_roof_of_a_station) {
-  world::Document document = through_a_ridge();
-  test::shape_land(document, [](double, double) { return 2; });
-  const world::Entity station = document.track.segments[5];
-  document.entities.put(station, world::Equipment{.kind = world::EquipmentKind::station});
-  TunnelWatch watch(document, world::CameraMode::chase);
-  ASSERT_TRUE(watch.ground.tunnels().empty());
-  int below = 0, above = 0;
-  for (int i = 0; i < 10'000 && watch.cart().track_distance < 205; ++i) {
-    watch.tick_on();
-    const double front = watch.cart().track_distance, over = watch.rig.eye.position.y - 5;
-    if (watch.ground.roofed_at(front)) {
-      ++below;
-      EXPECT_LT(over, 3) << front;
+TEST(CameraOnLand, chasing_looks_below_the_roofs_of_stations_that_scenery_shows) {
+  for (const bool land : {true, false})
+    for (const auto scenery : {world::Scenery::plain, world::Scenery::park}) {
+      world::Document document = through_a_ridge();
+      document.park = {};
+      if (land) test::shape_land(document, [](double, double) { return 2; });
+      const world::Entity station = document.track.segments[5];
+      document.entities.put(station, world::Equipment{.kind = world::EquipmentKind::station});
+      TunnelWatch watch(document, world::CameraMode::chase);
+      watch.settings.look->scenery = scenery;
+      ASSERT_TRUE(watch.ground.tunnels().empty());
+      int below = 0, above_station = 0, elsewhere = 0;
+      for (int i = 0; i < 10'000 && watch.cart().track_distance < 205; ++i) {
+        watch.tick_on();
+        const bool above = watch.rig.eye.position.y - 5 > 3;
+        if (watch.cart().segment == station) (above ? above_station : below) += 1;
+        else elsewhere += above;
+      }
+      EXPECT_EQ(above_station == 0, scenery != world::Scenery::plain) << land;
+      EXPECT_EQ(below > 100, scenery != world::Scenery::plain) << land;
+      EXPECT_GT(elsewhere, 100) << land;
     }
-    above += over > 4;
-  }
-  EXPECT_GT(below, 100);
-  EXPECT_GT(above, 100) << "elsewhere from above";
 }
 
 TEST(CameraOnLand, riding_goes_below_the_plane_and_through_the_hill) {

@@ -342,12 +342,6 @@ const Tunnel* Ground::tunnel_at(double distance) const {
   return nullptr;
 }
 
-bool Ground::roofed_at(double distance) const {
-  if (tunnel_at(distance) != nullptr) return true;
-  const auto sample = std::ranges::lower_bound(samples_, distance, {}, &TrackSample::distance);
-  return sample != samples_.end() && sample->station;
-}
-
 std::optional<double> Ground::meet(glm::dvec3 origin, glm::dvec3 direction, double most) const {
   return meet_heights(origin, direction, most, [&](double x, double z) { return height(x, z); });
 }

@@ -74,8 +74,6 @@ class Ground {
   std::uint64_t build_under(const curve::Box& box) const;
   // Returns the tunnel at a place of the track, in m from its start; null if there is none.
   const Tunnel* tunnel_at(double distance) const;
-  // Returns true if the track there is in a tunnel, or below the roof of a station.
-  bool roofed_at(double distance) const;
 
  private:
   struct SegmentSamples {
